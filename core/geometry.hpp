@@ -1,0 +1,47 @@
+#pragma once
+// Positions and displacements that know the frame they are expressed in.
+
+#include "core/units.hpp"
+
+#include <cmath>
+
+namespace furrow {
+
+struct FieldFrame;  ///< East-north plane, origin at the field datum, axes true east and true north.
+struct BodyFrame;   ///< Forward-right plane of one aircraft, origin at its centre of mass.
+
+/// A difference of positions, or any other plane vector, in one frame.
+template <class Frame, class Q = Length>
+struct Vector2 {
+  Q x, y;
+  friend constexpr bool operator==(const Vector2&, const Vector2&) = default;
+};
+
+/// A place in one frame. Places subtract to a Vector2 and do not add.
+template <class Frame>
+struct Position2 {
+  Length x, y;
+  friend constexpr Vector2<Frame> operator-(Position2 a, Position2 b) {
+    return {a.x - b.x, a.y - b.y};
+  }
+  friend constexpr Position2 operator+(Position2 a, Vector2<Frame> d) {
+    return {a.x + d.x, a.y + d.y};
+  }
+  friend constexpr bool operator==(const Position2&, const Position2&) = default;
+};
+
+using FieldPoint = Position2<FieldFrame>;
+using FieldVector = Vector2<FieldFrame>;
+using FieldVelocity = Vector2<FieldFrame, Speed>;
+
+/// A place in the field frame from metres east and metres north.
+constexpr FieldPoint at_m(double east_m, double north_m) {
+  return {metres(east_m), metres(north_m)};
+}
+
+template <class Frame>
+Length distance(Position2<Frame> a, Position2<Frame> b) {
+  return metres(std::hypot((b.x - a.x).base(), (b.y - a.y).base()));
+}
+
+}  // namespace furrow

@@ -1,0 +1,32 @@
+#include "core/messages.hpp"
+
+namespace furrow {
+namespace {
+
+struct Recipient {
+  NodeId to;
+
+  bool is_scheduler() const { return to.kind == NodeKind::scheduler; }
+
+  bool operator()(const AgentInfo&) const { return is_scheduler(); }
+  bool operator()(const AgentState&) const { return is_scheduler(); }
+  bool operator()(const CommandAck&) const { return is_scheduler(); }
+  bool operator()(const WorkReport&) const { return is_scheduler(); }
+  bool operator()(const StationState&) const { return is_scheduler(); }
+  bool operator()(const Command& m) const { return to == node(m.agent); }
+  bool operator()(const WorkGrant& m) const { return to == node(m.agent); }
+  bool operator()(const ServiceGrant& m) const { return to == node(m.agent); }
+  bool operator()(const ServiceClaim& m) const { return to == node(m.station); }
+  bool operator()(const SchedulerState&) const { return to.kind == NodeKind::agent; }
+  bool operator()(const Event&) const { return false; }
+  bool operator()(const SortieReport&) const { return false; }
+  bool operator()(const FlightRecord&) const { return false; }
+};
+
+}  // namespace
+
+bool is_recipient(NodeId to, const Envelope& envelope) {
+  return std::visit(Recipient{to}, envelope.body);
+}
+
+}  // namespace furrow

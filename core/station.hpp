@@ -1,0 +1,32 @@
+#pragma once
+
+#include "core/geometry.hpp"
+#include "core/ids.hpp"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace furrow {
+
+/// Where aircraft swap battery packs and fill tanks. Swap and fill run side by side.
+struct Station {
+  StationId id;
+  FieldPoint position;
+  std::uint32_t bays;    ///< Aircraft served at once, >= 1.
+  Seconds battery_swap;  ///< T_e.
+  Seconds fill_base;     ///< t_b: coupling, mixing; spent even for a nearly full tank.
+  Seconds fill_full;     ///< T_p,max: time to fill an empty tank, base included.
+};
+
+/// Time to fill `share` of a tank, 0 < share <= 1; nothing to fill takes no time.
+/// Source: Wang et al. 2017, equation (9).
+constexpr Seconds fill_time(const Station& s, double share) {
+  return share <= 0.0 ? Seconds{} : s.fill_base + share * (s.fill_full - s.fill_base);
+}
+
+/// Time in the bay.
+constexpr Seconds service_time(const Station& s, bool swap, double fill_share) {
+  return std::max(swap ? s.battery_swap : Seconds{}, fill_time(s, fill_share));
+}
+
+}  // namespace furrow

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "core/geometry.hpp"
+#include "core/ids.hpp"
+
+namespace furrow {
+
+/// How far a position fix may be from the truth.
+struct Gnss {
+  Length sigma;  ///< Standard deviation of each axis of a fix, white.
+  Length bias;   ///< Constant offset of every fix of one aircraft, in a direction drawn once.
+};
+
+/// What a plant-protection UAV can do. All limits > 0 unless said.
+struct Vehicle {
+  AgentId id;
+  FieldPoint home;  ///< Where it stands, full and charged, when the mission starts.
+  Length swath;     ///< Width sprayed in one pass.
+  Speed spray_speed;
+  Speed ferry_speed;
+  Seconds spray_endurance;   ///< Spraying time of a full tank at spray speed.
+  Seconds flight_endurance;  ///< Flying time of a full battery pack.
+  double battery_reserve;    ///< Share of a pack that is never planned with, 0 <= r < 1.
+  Volume tank;
+  Length min_turn_radius;  ///< 0 for an aircraft that can turn on the spot.
+  Acceleration acceleration_limit;
+  Gnss gnss;
+};
+
+/// The furthest spraying distance of one tank, D_max.
+/// Source: Wang et al. 2017, section 2.2.
+constexpr Length tank_range(const Vehicle& v) { return v.spray_endurance * v.spray_speed; }
+
+/// Mix sprayed on each area unit: a tank spread over its range times the swath.
+constexpr ApplicationRate application_rate(const Vehicle& v) {
+  return v.tank / (tank_range(v) * v.swath);
+}
+
+/// Flying time a plan may use from one full pack.
+constexpr Seconds usable_endurance(const Vehicle& v) {
+  return (1.0 - v.battery_reserve) * v.flight_endurance;
+}
+
+}  // namespace furrow

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "core/geometry.hpp"
+#include "core/work.hpp"
+
+#include <vector>
+
+namespace furrow::planner {
+
+/// A straight run of cells, flown in one go. `from` and `to` are the centres of its end cells.
+struct Strip {
+  CellRange cells;
+  FieldPoint from, to;
+  /// Whether the way here from the strip before is a single sprayed move between neighbouring
+  /// cells; otherwise it is a ferry with the valve closed. False for the first strip.
+  bool continues;
+};
+
+/// The order in which a field is covered: where every coverage model ends and all further planning
+/// starts.
+struct Route {
+  Length cell;                      ///< Distance between the centres of neighbouring cells.
+  std::vector<FieldPoint> centers;  ///< N cells in the order flown, N >= 1.
+  std::vector<Strip> strips;        ///< Contiguous, in order; together all N cells.
+  std::vector<FieldPoint> missed;   ///< Centres of workable cells that the route leaves out.
+};
+
+}  // namespace furrow::planner

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace furrow::planner {
+
+/// Why there is no plan. Each value names one thing an operator can change.
+enum class PlanFault {
+  field_invalid,          ///< Redraw the boundary or the holes.
+  nothing_to_spray,       ///< Use a narrower swath, a smaller margin or another field.
+  start_not_workable,     ///< Move the start onto a workable cell, or leave it out.
+  direction_unsupported,  ///< The grid model flies along a multiple of 90 degrees.
+  out_of_reach,           ///< Move the station closer or use a pack that lasts longer.
+  tank_too_small,         ///< A tank must last for at least one cell.
+};
+
+struct PlanError {
+  PlanFault fault;
+  std::string detail;  ///< The ring, cell, aircraft or station at fault, with numbers and units.
+};
+
+/// The stable name used in logs and error messages.
+constexpr std::string_view name(PlanFault fault) {
+  switch (fault) {
+    case PlanFault::field_invalid: return "field_invalid";
+    case PlanFault::nothing_to_spray: return "nothing_to_spray";
+    case PlanFault::start_not_workable: return "start_not_workable";
+    case PlanFault::direction_unsupported: return "direction_unsupported";
+    case PlanFault::out_of_reach: return "out_of_reach";
+    case PlanFault::tank_too_small: return "tank_too_small";
+  }
+  return "unknown";
+}
+
+}  // namespace furrow::planner

@@ -1,0 +1,51 @@
+#!/usr/bin/env python3
+"""Fails when an #include or a clock crosses a layer it may not. Run by ctest as `layers`."""
+
+import pathlib
+import re
+import sys
+
+# Folder -> folders it may include besides itself. Read it as the architecture diagram.
+MAY_INCLUDE = {
+    "core": set(),
+    "planner": {"core"},
+    "supply": {"core"},
+    "scheduler": {"core", "planner", "supply"},
+    "agents": {"core"},
+    "idl": set(),
+    "transport": {"core", "idl"},
+    "sim": {"core", "planner", "supply", "scheduler", "agents"},
+    "mission": {"core", "planner", "supply", "scheduler", "agents"},
+    "app": {"core", "planner", "supply", "scheduler", "agents", "mission", "transport", "sim"},
+}
+# Pattern -> the only folders where it may appear.
+CONFINED = {
+    r"#include <fast(dds|rtps|cdr)": {"transport"},
+    r"#include <(ompl|geos)": {"planner"},
+    r"#include <yaml-cpp/": {"mission"},
+    r"#include <nlohmann/": {"app"},
+    r"#include <spdlog/": {"transport", "app"},
+    r"steady_clock|system_clock|random_device|getenv|std::thread|std::mutex": {"transport", "app"},
+}
+
+
+def violations(root: pathlib.Path):
+    for folder, allowed in MAY_INCLUDE.items():
+        for file in sorted((root / folder).rglob("*.[ch]pp")):
+            visible = allowed | {folder}
+            if file.name == "main.cpp":  # only a process sees the transport and its scenario
+                visible |= {"transport", "mission"}
+            for number, line in enumerate(file.read_text().splitlines(), start=1):
+                where = f"{file.relative_to(root)}:{number}"
+                include = re.match(r'#include "(\w+)/', line)
+                if include and include[1] not in visible:
+                    yield f"{where}: {folder} may not include {include[1]}"
+                for pattern, homes in CONFINED.items():
+                    at_home = folder in homes or (file.name == "main.cpp" and "app" in homes)
+                    if not at_home and re.search(pattern, line):
+                        yield f"{where}: `{pattern}` belongs in {', '.join(sorted(homes))}"
+
+
+found = list(violations(pathlib.Path(sys.argv[1])))
+print("\n".join(found))
+sys.exit(bool(found))
