@@ -1,0 +1,42 @@
+#pragma once
+
+#include "core/expected.hpp"
+#include "core/time.hpp"
+#include "core/vehicle.hpp"
+#include "core/work.hpp"
+#include "planner/coverage/route.hpp"
+#include "planner/returns/solve.hpp"
+
+#include <span>
+#include <vector>
+
+namespace furrow::scheduler {
+
+/// A forecast visit to a station, one for each return of a plan.
+struct Visit {
+  double arrives_s, starts_s, ready_s;  ///< Mission time [s]; starts - arrives is the wait.
+  std::uint32_t bay;                    ///< 1 .. bays.
+};
+
+/// What one aircraft is to do.
+struct UavPlan {
+  Vehicle vehicle;
+  Station station;             ///< Where all its sorties end.
+  CellRange strips;            ///< Its share: contiguous strips of the route; may be empty.
+  CellRange cells;             ///< The same in cells of the route.
+  planner::Solution solution;  ///< Empty returns and sorties for an empty share.
+  std::vector<Visit> visits;   ///< One per return.
+  double spray_ends_s;         ///< Forecast mission time of its last sprayed cell; 0 if none.
+  double lands_s;
+};
+
+/// Who flies what and when.
+struct FleetPlan {
+  planner::Route route;
+  double work_direction_deg;  ///< Clockwise from north, as given or as found.
+  std::vector<UavPlan> uavs;  ///< In order of id.
+  double makespan_s;          ///< Forecast mission time at which the last cell is sprayed.
+  double lower_bound_s;       ///< No plan of this route on these aircraft has a smaller makespan.
+};
+
+}  // namespace furrow::scheduler
