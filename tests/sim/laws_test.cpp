@@ -1,6 +1,7 @@
 #include "sim/checkers/laws.hpp"
 
 #include <catch2/catch.hpp>
+#include <map>
 
 namespace furrow::sim {
 namespace {
