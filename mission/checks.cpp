@@ -47,9 +47,8 @@ void check_apart(const Section& field, const std::vector<Ring>& holes,
 
 void check_start(const Section& field, const Scenario& s) {
   if (!s.start) return;
-  const bool in_hole = std::any_of(s.field.holes.begin(), s.field.holes.end(), [&](const Ring& h) {
-    return is_inside(*s.start, h);
-  });
+  const bool in_hole = std::any_of(s.field.holes.begin(), s.field.holes.end(),
+                                   [&](const Ring& h) { return is_inside(*s.start, h); });
   if (!is_inside(*s.start, s.field.boundary) || in_hole) {
     field.fail("start_m", "must lie inside the boundary and outside the holes", text(*s.start));
   }
@@ -114,8 +113,7 @@ void check_reach(const Draft& draft) {
   const bool any = std::any_of(is_reached.begin(), is_reached.end(), [](bool b) { return b; });
   for (std::size_t i = 0; any && i < gets_there.size(); ++i) {
     if (gets_there[i]) continue;
-    draft.fleets[i].fail("flight_endurance_s",
-                         "must last from some station to the field and back");
+    draft.fleets[i].fail("flight_endurance_s", "must last from some station to the field and back");
   }
 }
 
@@ -147,11 +145,12 @@ void check_field(const Section& field, const Field& land) {
 }
 
 void check_together(const Section& root, const Draft& draft) {
-  check_start(root.section("field"), draft.scenario);
-  check_swaths(draft);
-  check_cells(draft);
-  check_reach(draft);
-  check_faults(draft);
+  const bool field = draft.field_in_order, fleet = draft.fleet_in_order;
+  if (field) check_start(root.section("field"), draft.scenario);
+  if (fleet) check_swaths(draft);
+  if (field && fleet) check_cells(draft);
+  if (field && fleet && draft.supply_in_order) check_reach(draft);
+  if (fleet && draft.faults_in_order) check_faults(draft);
 }
 
 }  // namespace furrow::mission

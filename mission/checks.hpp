@@ -9,8 +9,8 @@ namespace furrow::mission {
 /// Also without the other keys in order.
 void check_field(const Section& field, const Field& land);
 
-/// Adds an error for each rule broken between keys of different parts of the file.
-/// @pre Each key by itself and the field are in order.
+/// Adds an error for each rule broken between keys of different parts of the file, as far as those
+/// parts are in order by themselves.
 void check_together(const Section& root, const Draft& draft);
 
 }  // namespace furrow::mission

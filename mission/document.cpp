@@ -45,8 +45,13 @@ class TreeBuilder : public YAML::EventHandler {
 
  private:
   static Element element(Element::Kind kind, const YAML::Mark& mark) {
-    return {.kind = kind, .line = mark.line + 1, .column = mark.column + 1, .scalar = {},
-            .quoted = false, .keys = {}, .items = {}};
+    return {.kind = kind,
+            .line = mark.line + 1,
+            .column = mark.column + 1,
+            .scalar = {},
+            .quoted = false,
+            .keys = {},
+            .items = {}};
   }
   static void refuse_anchor(const YAML::Mark& mark, YAML::anchor_t anchor) {
     if (anchor) throw YAML::ParserException{mark, "anchors and aliases are not accepted"};
@@ -110,6 +115,7 @@ ScenarioError unreadable(std::string_view yaml, const std::string& file, const Y
 }  // namespace
 
 std::string shown(std::string_view raw) {
+  if (raw.empty()) return "nothing";
   constexpr std::size_t longest = 60;
   std::string line;
   for (const char c : raw.substr(0, longest)) {

@@ -21,9 +21,9 @@ struct Element {
   Kind kind;
   int line, column;  ///< From 1.
   std::string scalar;
-  bool quoted;                  ///< A quoted scalar is text, whatever it looks like.
-  std::vector<Key> keys;        ///< Of a map, one for each item, in file order.
-  std::vector<Element> items;   ///< Of a list or a map.
+  bool quoted;                 ///< A quoted scalar is text, whatever it looks like.
+  std::vector<Key> keys;       ///< Of a map, one for each item, in file order.
+  std::vector<Element> items;  ///< Of a list or a map.
 };
 
 /// The single document of `yaml`.

@@ -48,9 +48,10 @@ Expected<Scenario, Errors> parse(std::string_view yaml, const std::string& file)
   if (!tree) return Unexpected{Errors{tree.error()}};
   Findings findings{file};
   const Section root = Section::root(findings, &*tree);
+  if (findings.count() > 0) return Unexpected{findings.sorted()};
   Draft draft = read_scenario(root);
   findings.judge_keys();
-  if (findings.count() == 0) check_together(root, draft);
+  check_together(root, draft);
   if (findings.count() > 0) return Unexpected{findings.sorted()};
   place_at_stations(draft);
   return std::move(draft.scenario);

@@ -54,27 +54,29 @@ Expected<NodeOptions, std::string> node_options(int argc, const char* const* arg
                 .last = 0,
                 .boot = BootId{1}};
   std::uint64_t boot = 1;
-  std::string agents;
+  std::string agents, station;
   const std::map<std::string, NodeOptions::Mode> modes{{"granted", NodeOptions::Mode::granted},
                                                        {"wall", NodeOptions::Mode::wall}};
   CLI::App app{"One node process of a Furrow fleet."};
   app.add_option("--scenario", o.scenario, "Scenario file")->required();
-  app.add_option("--seed", o.seed, "Instead of the scenario's seed");
+  app.add_option("--seed", o.seed, "Instead of the scenario's seed")->check(CLI::NonNegativeNumber);
   app.add_option("--domain", o.domain, "DDS domain")->check(CLI::Range(0, 232));
   app.add_option("--run", o.run, "Name of the run")->required();
   app.add_option("--participant", o.participant, "DDS participant id")->check(CLI::Range(0, 119));
   app.add_option("--interface", o.interface, "Network address to use");
   app.add_option("--mode", o.mode, "granted or wall")->transform(CLI::CheckedTransformer(modes));
   app.add_option("--epoch-ns", o.epoch_ns, "Wall time of mission time zero [ns since 1970]");
-  app.add_option("--boot", boot, "Number of this start of the process");
+  app.add_option("--boot", boot, "Number of this start of the process")
+      ->check(CLI::NonNegativeNumber);
   auto* agents_option = app.add_option("--agents", agents, "Agents hosted: 7 or 1-50");
-  app.add_option("--station", o.first, "Station run")->check(CLI::Range(1u, 1'000'000u))
-      ->excludes(agents_option);
+  app.add_option("--station", station, "Station run")->excludes(agents_option);
   if (auto fault = parse_fault(app, argc, argv); !fault.empty()) return Unexpected{fault};
   o.boot = BootId{boot};
-  o.last = o.first;
   if (!agents.empty() && !read_range(agents, o)) {
     return Unexpected{"--agents: must be a number or a range like 1-50 (got " + agents + ")"};
+  }
+  if (!station.empty() && (!read_range(station, o) || o.first != o.last)) {
+    return Unexpected{"--station: must be a number (got " + station + ")"};
   }
   return o;
 }

@@ -46,8 +46,8 @@ bool touch(const Edge& e, const Edge& f) {
 
 // Neighbouring edges share a vertex; they are at fault only when one runs back over the other.
 bool fold_back(const Edge& e, const Edge& next) {
-  const double along = (e.b.x - e.a.x) * (next.b.x - next.a.x) +
-                       (e.b.y - e.a.y) * (next.b.y - next.a.y);
+  const double along =
+      (e.b.x - e.a.x) * (next.b.x - next.a.x) + (e.b.y - e.a.y) * (next.b.y - next.a.y);
   return side(e.a, e.b, next.b) == 0 && along < 0;
 }
 
@@ -93,9 +93,7 @@ double distance_m(Vertex p, Vertex a, Vertex b) {
 
 }  // namespace
 
-std::string text(FieldPoint p) {
-  return fmt::format("({:.10g}, {:.10g})", p.x.base(), p.y.base());
-}
+std::string text(FieldPoint p) { return fmt::format("({:.10g}, {:.10g})", p.x.base(), p.y.base()); }
 
 Area area(const Ring& ring) {
   double twice_m2 = 0;
@@ -151,8 +149,8 @@ Length distance(FieldPoint p, const Ring& ring) {
   if (is_inside(p, ring)) return {};
   double least_m = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    least_m = std::min(least_m, distance_m(vertex(p), vertex(ring[i]),
-                                           vertex(ring[(i + 1) % ring.size()])));
+    least_m = std::min(least_m,
+                       distance_m(vertex(p), vertex(ring[i]), vertex(ring[(i + 1) % ring.size()])));
   }
   return metres(least_m);
 }

@@ -58,9 +58,8 @@ std::string rule_of(Range r) {
                      r.high_open ? "<" : "<=", r.high);
 }
 
-const std::string point_rule =
-    fmt::format("must be [east, north] in metres, each from {:.10g} to {:.10g}", -furthest_m,
-                furthest_m);
+const std::string point_rule = fmt::format(
+    "must be [east, north] in metres, each from {:.10g} to {:.10g}", -furthest_m, furthest_m);
 const std::string ring_rule =
     fmt::format("must be a list of 3 to {} vertices [east, north]", most_vertices);
 const std::string rings_rule = fmt::format("must be a list of at most {} rings", most_rings);
@@ -73,9 +72,8 @@ bool is_name(std::string_view s) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
   };
   return !s.empty() && s.size() <= 64 && alphanumeric(s[0]) &&
-         std::all_of(s.begin(), s.end(), [&](char c) {
-           return alphanumeric(c) || c == '.' || c == '_' || c == '-';
-         });
+         std::all_of(s.begin(), s.end(),
+                     [&](char c) { return alphanumeric(c) || c == '.' || c == '_' || c == '-'; });
 }
 
 }  // namespace
@@ -104,8 +102,8 @@ void Findings::judge(const Asked& asked) {
   std::map<std::string_view, int> first_line;
   for (std::size_t i = 0; i < asked.map->keys.size(); ++i) {
     const auto& key = asked.map->keys[i];
-    const auto path = asked.path.empty() ? shown(key.name)
-                                         : fmt::format("{}.{}", asked.path, shown(key.name));
+    const auto path =
+        asked.path.empty() ? shown(key.name) : fmt::format("{}.{}", asked.path, shown(key.name));
     const auto value = shown(asked.map->items[i]);
     const auto [first, is_new] = first_line.try_emplace(key.name, key.line);
     if (!is_new) {
@@ -238,8 +236,8 @@ std::string Section::name(std::string_view key) const {
 
 std::size_t Section::choice(std::string_view key, const std::vector<std::string>& words,
                             std::optional<std::size_t> otherwise) const {
-  const auto rule = fmt::format("must be {}{}", words.size() > 1 ? "one of " : "",
-                                fmt::join(words, ", "));
+  const auto rule =
+      fmt::format("must be {}{}", words.size() > 1 ? "one of " : "", fmt::join(words, ", "));
   const Found found = take(key, rule, otherwise ? words[*otherwise] : std::string{required});
   if (!found.value) return otherwise.value_or(0);
   const auto at = std::find(words.begin(), words.end(), found.value->scalar);
@@ -257,8 +255,7 @@ std::optional<FieldPoint> Section::point_of(const Found& found) const {
     const auto range = from_to(-furthest_m, furthest_m);
     if (x && y && holds(range, *x) && holds(range, *y)) return at_m(*x, *y);
     const auto broken_item = !(x && holds(range, *x)) ? 0u : 1u;
-    findings_->add(found.line, found.column, found.path, point_rule,
-                   shown(e.items[broken_item]));
+    findings_->add(found.line, found.column, found.path, point_rule, shown(e.items[broken_item]));
     return {};
   }
   broken(found, point_rule);

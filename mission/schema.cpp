@@ -15,18 +15,17 @@ constexpr std::uint64_t most_id = 1'000'000;
 
 Coverage read_coverage(const Section& s) {
   s.choice("model", {"grid"}, 0);
-  const Coverage c{
-      .margin = metres(s.number("margin_m", from_to(0, 1000), 0)),
-      .straight_reward = s.number("straight_reward", above_to(1, 1e6), 2),
-      .turn_reward = s.number("turn_reward", above_to(1, 1e6), 3),
-      .min_region_cells =
-          static_cast<std::uint32_t>(s.whole("min_region_cells", 1, 1'000'000, 10))};
+  const Coverage c{.margin = metres(s.number("margin_m", from_to(0, 1000), 0)),
+                   .straight_reward = s.number("straight_reward", above_to(1, 1e6), 2),
+                   .turn_reward = s.number("turn_reward", above_to(1, 1e6), 3),
+                   .min_region_cells =
+                       static_cast<std::uint32_t>(s.whole("min_region_cells", 1, 1'000'000, 10))};
   if (c.turn_reward <= c.straight_reward) {
     const auto rule = fmt::format("must exceed straight_reward, {:.10g}", c.straight_reward);
     s.fail(s.has("turn_reward") ? "turn_reward" : "straight_reward",
-           s.has("turn_reward") ? rule
-                                : fmt::format("must be less than turn_reward, {:.10g}",
-                                              c.turn_reward));
+           s.has("turn_reward")
+               ? rule
+               : fmt::format("must be less than turn_reward, {:.10g}", c.turn_reward));
   }
   return c;
 }
@@ -34,8 +33,7 @@ Coverage read_coverage(const Section& s) {
 void read_field(const Section& s, Scenario& out) {
   out.field.boundary = s.ring("boundary_m");
   out.field.holes = s.rings("holes_m");
-  out.work_direction_deg =
-      s.optional_number("work_direction_deg", from_below(0, 360), "searched");
+  out.work_direction_deg = s.optional_number("work_direction_deg", from_below(0, 360), "searched");
   if (out.work_direction_deg && *out.work_direction_deg != 0 && *out.work_direction_deg != 90 &&
       *out.work_direction_deg != 180 && *out.work_direction_deg != 270) {
     s.fail("work_direction_deg", "must be one of 0, 90, 180, 270: a grid is flown along its sides");
@@ -60,13 +58,12 @@ std::vector<Obstacle> read_obstacles(const Section& root) {
 
 Station read_station(const Section& s) {
   const Section fill = s.required_section("fill");
-  const Station station{
-      .id = static_cast<StationId>(s.whole("id", 1, most_id)),
-      .position = s.point("position_m"),
-      .bays = static_cast<std::uint32_t>(s.whole("bays", 1, 100, 1)),
-      .battery_swap = seconds(s.number("battery_swap_s", from_to(0, 86'400))),
-      .fill_base = seconds(fill.number("base_s", from_to(0, 86'400))),
-      .fill_full = seconds(fill.number("full_s", from_to(0, 86'400)))};
+  const Station station{.id = static_cast<StationId>(s.whole("id", 1, most_id)),
+                        .position = s.point("position_m"),
+                        .bays = static_cast<std::uint32_t>(s.whole("bays", 1, 100, 1)),
+                        .battery_swap = seconds(s.number("battery_swap_s", from_to(0, 86'400))),
+                        .fill_base = seconds(fill.number("base_s", from_to(0, 86'400))),
+                        .fill_full = seconds(fill.number("full_s", from_to(0, 86'400)))};
   if (fill.has("base_s") && station.fill_base > station.fill_full) {
     fill.fail("base_s", fmt::format("must not exceed full_s, {:.10g}", station.fill_full.base()));
   }
@@ -94,8 +91,8 @@ void read_supply(const Section& root, Draft& draft) {
 Seconds read_spray_endurance(const Section& s, const Vehicle& v, bool has_tank) {
   const auto given = s.optional_number("spray_endurance_s", from_to(1, 86'400),
                                        "tank_l / (rate_l_ha swath_m spray_speed_mps)");
-  const auto rate = s.optional_number("rate_l_ha", from_to(0.1, 10'000),
-                                      "from tank_l and spray_endurance_s");
+  const auto rate =
+      s.optional_number("rate_l_ha", from_to(0.1, 10'000), "from tank_l and spray_endurance_s");
   if (s.has("spray_endurance_s") && s.has("rate_l_ha")) {
     s.fail("rate_l_ha", "must be left out where spray_endurance_s is given");
   }
@@ -104,7 +101,12 @@ Seconds read_spray_endurance(const Section& s, const Vehicle& v, bool has_tank) 
     s.fail("spray_endurance_s", "is required, or tank_l with rate_l_ha");
     return seconds(1);
   }
-  return v.tank / (litres_per_hectare(rate.value_or(1)) * v.swath * v.spray_speed);
+  const Seconds lasts = v.tank / (litres_per_hectare(rate.value_or(1)) * v.swath * v.spray_speed);
+  if (rate && (lasts < seconds(1) || lasts > seconds(86'400))) {
+    s.fail("rate_l_ha", "must let tank_l last from 1 to 86400 s of spraying",
+           fmt::format("{:.6g} s", lasts.base()));
+  }
+  return lasts;
 }
 
 Gnss read_gnss(const Section& s) {
@@ -114,19 +116,19 @@ Gnss read_gnss(const Section& s) {
 
 // The id is set by the caller.
 Vehicle read_vehicle(const Section& s) {
-  Vehicle v{.id = {},
-            .home = {},
-            .swath = metres(s.number("swath_m", from_to(0.1, 100))),
-            .spray_speed = metres_per_second(s.number("spray_speed_mps", from_to(0.1, 100))),
-            .ferry_speed = metres_per_second(s.number("ferry_speed_mps", from_to(0.1, 100))),
-            .spray_endurance = {},
-            .flight_endurance = seconds(s.number("flight_endurance_s", from_to(1, 86'400))),
-            .battery_reserve = s.number("battery_reserve", from_below(0, 1), 0.1),
-            .tank = litres(s.number("tank_l", from_to(0.01, 100'000), 10)),
-            .min_turn_radius = metres(s.number("min_turn_radius_m", from_to(0, 1000), 0)),
-            .acceleration_limit = metres_per_second2(
-                s.number("acceleration_mps2", from_to(0.1, 100), 3)),
-            .gnss = read_gnss(s.section("gnss"))};
+  Vehicle v{
+      .id = {},
+      .home = {},
+      .swath = metres(s.number("swath_m", from_to(0.1, 100))),
+      .spray_speed = metres_per_second(s.number("spray_speed_mps", from_to(0.1, 100))),
+      .ferry_speed = metres_per_second(s.number("ferry_speed_mps", from_to(0.1, 100))),
+      .spray_endurance = {},
+      .flight_endurance = seconds(s.number("flight_endurance_s", from_to(1, 86'400))),
+      .battery_reserve = s.number("battery_reserve", from_below(0, 1), 0.1),
+      .tank = litres(s.number("tank_l", from_to(0.01, 100'000), 10)),
+      .min_turn_radius = metres(s.number("min_turn_radius_m", from_to(0, 1000), 0)),
+      .acceleration_limit = metres_per_second2(s.number("acceleration_mps2", from_to(0.1, 100), 3)),
+      .gnss = read_gnss(s.section("gnss"))};
   v.spray_endurance = read_spray_endurance(s, v, s.has("tank_l"));
   return v;
 }
@@ -161,8 +163,8 @@ Wind read_wind(const Section& s) {
 
 planner::SolveSettings read_solver(const Section& s, std::uint64_t seed) {
   using enum planner::ReturnStrategy;
-  const auto choice = s.choice(
-      "returns", {name(unplanned), name(simple), name(gsa), name(exact)}, std::size_t{2});
+  const auto choice =
+      s.choice("returns", {name(unplanned), name(simple), name(gsa), name(exact)}, std::size_t{2});
   const planner::SolveSettings settings{
       .returns = static_cast<planner::ReturnStrategy>(choice),
       .refine = s.flag("refine", true),
@@ -227,6 +229,14 @@ void read_limits(const Section& s, Scenario& out) {
   out.mission_limit = duration(seconds(s.number("mission_s", from_to(1, 10'000'000), 86'400)));
 }
 
+// Whether reading a part finds nothing wrong with it.
+template <class Read>
+bool in_order(const Section& root, Read read) {
+  const auto before = root.findings().count();
+  read();
+  return root.findings().count() == before;
+}
+
 }  // namespace
 
 Draft read_scenario(const Section& root) {
@@ -235,15 +245,15 @@ Draft read_scenario(const Section& root) {
   root.whole("version", 1, 1);
   s.name = root.name("name");
   s.seed = root.whole("seed", 0, UINT64_MAX, 1);
-  read_field(root.required_section("field"), s);
+  draft.field_in_order = in_order(root, [&] { read_field(root.required_section("field"), s); });
   s.field.obstacles = read_obstacles(root);
-  read_supply(root, draft);
-  read_uavs(root, draft);
+  draft.supply_in_order = in_order(root, [&] { read_supply(root, draft); });
+  draft.fleet_in_order = in_order(root, [&] { read_uavs(root, draft); });
   s.wind = read_wind(root.section("wind"));
   s.solver = read_solver(root.section("solver"), s.seed);
   s.link = read_link(root.section("link"));
   read_limits(root.section("limits"), s);
-  read_faults(root, draft);
+  draft.faults_in_order = in_order(root, [&] { read_faults(root, draft); });
   s.expectations = read_expectations(root.section("expect"));
   return draft;
 }

@@ -17,6 +17,8 @@ struct Draft {
   std::vector<std::size_t> fleet_of;  ///< For each UAV, the index of its entry.
   std::vector<bool> has_start;        ///< For each entry, whether it says where its UAVs start.
   std::vector<Section> faults;
+  /// Whether each key of the part is in order by itself.
+  bool field_in_order, supply_in_order, fleet_in_order, faults_in_order;
 };
 
 /// Reads every key of the format.
