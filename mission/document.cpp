@@ -4,6 +4,7 @@
 #include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
+#include <algorithm>
 #include <sstream>
 
 namespace furrow::mission {
@@ -101,12 +102,11 @@ std::string_view line_of(std::string_view yaml, int number) {
   return yaml.substr(0, yaml.find('\n'));
 }
 
-ScenarioError unreadable(std::string_view yaml, const std::string& file, const YAML::Mark& mark,
+ScenarioError unreadable(std::string_view yaml, const std::string& file, int line, int column,
                          std::string_view why) {
-  const int line = std::max(mark.line + 1, 1);
   return {.file = file,
           .line = line,
-          .column = std::max(mark.column + 1, 1),
+          .column = column,
           .key = "yaml",
           .rule = fmt::format("must be a plain YAML document: {}", why),
           .value = shown(line_of(yaml, line))};
@@ -142,13 +142,14 @@ Expected<Element, ScenarioError> document(std::string_view yaml, const std::stri
   try {
     YAML::Parser parser{in};
     if (!parser.HandleNextDocument(tree)) {
-      return Unexpected{unreadable(yaml, file, {}, "it is empty")};
+      return Unexpected{unreadable(yaml, file, 1, 1, "it is empty")};
     }
     if (parser.HandleNextDocument(second)) {
-      return Unexpected{unreadable(yaml, file, {}, "a file holds one document")};
+      return Unexpected{unreadable(yaml, file, second.root.line, 1, "a file holds one document")};
     }
   } catch (const YAML::Exception& e) {
-    return Unexpected{unreadable(yaml, file, e.mark, e.msg)};
+    return Unexpected{unreadable(yaml, file, std::max(e.mark.line + 1, 1),
+                                 std::max(e.mark.column + 1, 1), e.msg)};
   }
   return std::move(tree.root);
 }
