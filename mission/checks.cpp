@@ -18,14 +18,14 @@ std::optional<std::string> hole_fault(const Ring& hole, const Ring& boundary) {
       return fmt::format("must lie inside the boundary: {} does not", text(p));
     }
   }
-  if (const auto touch = contact(hole, boundary)) {
+  if (auto touch = contact(hole, boundary)) {
     return fmt::format("must lie inside the boundary: {}", *touch);
   }
   return {};
 }
 
 std::optional<std::string> overlap(const Ring& a, const Ring& b) {
-  if (const auto touch = contact(a, b)) return touch;
+  if (auto touch = contact(a, b)) return touch;
   if (is_inside(a.front(), b)) return fmt::format("{} lies in both", text(a.front()));
   if (is_inside(b.front(), a)) return fmt::format("{} lies in both", text(b.front()));
   return {};

@@ -114,7 +114,7 @@ double Section::number(std::string_view key, Range range, std::optional<double> 
 }
 
 std::optional<double> Section::optional_number(std::string_view key, Range range,
-                                               std::string otherwise) const {
+                                               const std::string& otherwise) const {
   const auto rule = rule_of(range);
   const Found found = take(key, rule, otherwise);
   if (!found.value) return {};
@@ -141,7 +141,8 @@ bool Section::flag(std::string_view key, bool otherwise) const {
   return optional_flag(key, otherwise ? "true" : "false").value_or(otherwise);
 }
 
-std::optional<bool> Section::optional_flag(std::string_view key, std::string otherwise) const {
+std::optional<bool> Section::optional_flag(std::string_view key,
+                                           const std::string& otherwise) const {
   const Found found = take(key, flag_rule, otherwise);
   if (!found.value) return {};
   if (found.value->kind == Element::Kind::scalar && !found.value->quoted) {
@@ -195,7 +196,7 @@ FieldPoint Section::point(std::string_view key) const {
 }
 
 std::optional<FieldPoint> Section::optional_point(std::string_view key,
-                                                  std::string otherwise) const {
+                                                  const std::string& otherwise) const {
   const Found found = take(key, point_rule, otherwise);
   if (!found.value) return {};
   return point_of(found);

@@ -35,18 +35,19 @@ class Section {
 
   double number(std::string_view key, Range range, std::optional<double> otherwise = {}) const;
   std::optional<double> optional_number(std::string_view key, Range range,
-                                        std::string otherwise) const;
+                                        const std::string& otherwise) const;
   std::uint64_t whole(std::string_view key, std::uint64_t low, std::uint64_t high,
                       std::optional<std::uint64_t> otherwise = {}) const;
   bool flag(std::string_view key, bool otherwise) const;
-  std::optional<bool> optional_flag(std::string_view key, std::string otherwise) const;
+  std::optional<bool> optional_flag(std::string_view key, const std::string& otherwise) const;
   /// A word fit for file names.
   std::string name(std::string_view key) const;
   /// The index of the word chosen.
   std::size_t choice(std::string_view key, const std::vector<std::string>& words,
                      std::optional<std::size_t> otherwise = {}) const;
   FieldPoint point(std::string_view key) const;
-  std::optional<FieldPoint> optional_point(std::string_view key, std::string otherwise) const;
+  std::optional<FieldPoint> optional_point(std::string_view key,
+                                           const std::string& otherwise) const;
   /// A repeated first vertex at the end is dropped. Empty if broken.
   Ring ring(std::string_view key) const;
   /// A ring for each item, in order; empty where broken.
