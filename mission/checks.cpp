@@ -11,14 +11,12 @@
 namespace furrow::mission {
 namespace {
 
-// A hole is outside if any vertex is, or if an edge of it meets the boundary.
+// A hole lies inside if one vertex does and no edge of it meets the boundary.
 std::optional<std::string> hole_fault(const Ring& hole, const Ring& boundary) {
-  for (const FieldPoint p : hole) {
-    if (!is_inside(p, boundary)) {
-      return fmt::format("must lie inside the boundary: {} does not", text(p));
-    }
+  if (!is_inside(hole.front(), boundary)) {
+    return fmt::format("must lie inside the boundary: {} does not", text(hole.front()));
   }
-  if (auto touch = contact(hole, boundary)) {
+  if (const auto touch = contact(hole, boundary)) {
     return fmt::format("must lie inside the boundary: {}", *touch);
   }
   return {};
@@ -31,7 +29,7 @@ std::optional<std::string> overlap(const Ring& a, const Ring& b) {
   return {};
 }
 
-// Holes that are sound, apart from each other.
+// Holes that are sound, apart from each other; the first conflict of each.
 void check_apart(const Section& field, const std::vector<Ring>& holes,
                  const std::vector<bool>& sound) {
   for (std::size_t i = 0; i < holes.size(); ++i) {
@@ -40,6 +38,7 @@ void check_apart(const Section& field, const std::vector<Ring>& holes,
       if (const auto place = overlap(holes[i], holes[j])) {
         field.fail(fmt::format("holes_m[{}]", i),
                    fmt::format("must keep apart from holes_m[{}]: {}", j, *place));
+        break;
       }
     }
   }

@@ -84,6 +84,17 @@ std::optional<std::string> first_fault(std::vector<Edge> edges, bool within) {
   return {};
 }
 
+bool boxes_meet(const Ring& a, const Ring& b) {
+  const auto by_x = [](FieldPoint p, FieldPoint q) { return p.x < q.x; };
+  const auto by_y = [](FieldPoint p, FieldPoint q) { return p.y < q.y; };
+  const auto [a_west, a_east] = std::minmax_element(a.begin(), a.end(), by_x);
+  const auto [b_west, b_east] = std::minmax_element(b.begin(), b.end(), by_x);
+  const auto [a_south, a_north] = std::minmax_element(a.begin(), a.end(), by_y);
+  const auto [b_south, b_north] = std::minmax_element(b.begin(), b.end(), by_y);
+  return a_west->x <= b_east->x && b_west->x <= a_east->x && a_south->y <= b_north->y &&
+         b_south->y <= a_north->y;
+}
+
 double distance_m(Vertex p, Vertex a, Vertex b) {
   const double dx = b.x - a.x, dy = b.y - a.y;
   const double along = ((p.x - a.x) * dx + (p.y - a.y) * dy) / (dx * dx + dy * dy);
@@ -127,9 +138,8 @@ std::optional<std::string> ring_fault(const Ring& ring) {
 bool is_inside(FieldPoint point, const Ring& ring) {
   const Vertex p = vertex(point);
   bool inside = false;
-  std::vector<Edge> edges;
-  append_edges(ring, 0, edges);
-  for (const Edge& e : edges) {
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Edge e{vertex(ring[i]), vertex(ring[(i + 1) % ring.size()]), 0, i, ring.size()};
     if (side(e.a, e.b, p) == 0 && in_box(p, e)) return false;
     if ((e.a.y > p.y) != (e.b.y > p.y)) {
       inside ^= (turn(e.a, e.b, p) > 0) == (e.b.y > e.a.y);
@@ -139,6 +149,7 @@ bool is_inside(FieldPoint point, const Ring& ring) {
 }
 
 std::optional<std::string> contact(const Ring& a, const Ring& b) {
+  if (!boxes_meet(a, b)) return {};
   std::vector<Edge> edges;
   append_edges(a, 0, edges);
   append_edges(b, 1, edges);

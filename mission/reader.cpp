@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::string_view required = "required";
 constexpr double furthest_m = 100'000;
-constexpr std::size_t most_vertices = 10'000, most_rings = 1'000;
+constexpr std::size_t most_vertices = 10'000, most_rings = 500;
 
 template <class T>
 std::optional<T> parsed(const Element& e) {
