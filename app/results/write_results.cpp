@@ -48,8 +48,10 @@ Expected<std::vector<fs::path>, WriteError> write_results(const fs::path& dir,
   if (failed) return Unexpected{WriteError{dir, failed.message()}};
 
   const std::pair<const char*, std::string> files[] = {
-      {"result.json", result_json(result)},        {"plan.geojson", plan_geojson(record)},
-      {"events.jsonl", events_jsonl(record.log)},  {"sorties.csv", sorties_csv(result)},
+      {"result.json", result_json(result)},
+      {"plan.geojson", plan_geojson(record)},
+      {"events.jsonl", events_jsonl(record.log)},
+      {"sorties.csv", sorties_csv(result)},
       {"report.html", report_html(record, result)}};
 
   std::vector<fs::path> parts, paths;

@@ -90,8 +90,8 @@ class Panels {
     const scheduler::UavPlan& plan = uavs()[uav];
     Chains ways;
     for (const std::uint32_t cell : plan.solution.plan.returns) {
-      ways.push_back({view_.at(route_.centers[plan.cells.first + cell]),
-                      view_.at(plan.station.position)});
+      ways.push_back(
+          {view_.at(route_.centers[plan.cells.first + cell]), view_.at(plan.station.position)});
     }
     svg.path(ways, false, {.stroke = "#8b8b80", .width = 0.6, .opacity = 0.7, .dash = "3 3"});
   }
@@ -146,9 +146,9 @@ class Panels {
   void draw_landings(Svg& svg, std::size_t uav) const {
     for (const SortieFigures& s : result_.uavs[uav].sorties) {
       if (s.bay == 0) continue;
-      svg.circle(view_.at(s.returned), 3.2, {.fill = uav_colour(uav), .stroke = ink, .width = 1.2},
-                 fmt::format("UAV {} returned at {:.1f} min", result_.uavs[uav].id,
-                             s.spray_ended_s / 60));
+      svg.circle(
+          view_.at(s.returned), 3.2, {.fill = uav_colour(uav), .stroke = ink, .width = 1.2},
+          fmt::format("UAV {} returned at {:.1f} min", result_.uavs[uav].id, s.spray_ended_s / 60));
     }
   }
 
@@ -180,7 +180,8 @@ class Panels {
     for (std::size_t i = 0; i < cells.size();) {
       const bool upright = i + 1 < cells.size() && cells[i + 1].x == cells[i].x;
       std::size_t last = i;
-      while (last + 1 < cells.size() && distance(cells[last], cells[last + 1]).base() < 1.01 * side_m &&
+      while (last + 1 < cells.size() &&
+             distance(cells[last], cells[last + 1]).base() < 1.01 * side_m &&
              (upright ? cells[last + 1].x == cells[i].x : cells[last + 1].y == cells[i].y)) {
         ++last;
       }

@@ -70,8 +70,8 @@ class Svg {
     close("rect", paint, tip);
   }
   void circle(Pixel center, double radius, const Paint& paint, std::string_view tip = {}) {
-    body_ += fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\"", number(center.x),
-                         number(center.y), number(radius));
+    body_ += fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\"", number(center.x), number(center.y),
+                         number(radius));
     close("circle", paint, tip);
   }
   /// Each chain of points is drawn on its own; closed ones make holes where they lie in another.
@@ -92,7 +92,8 @@ class Svg {
                          number(at.x), number(at.y), number(how.size), how.anchor, how.fill);
     if (how.bold) body_ += " font-weight=\"600\"";
     if (how.halo) {
-      body_ += " stroke=\"#fff\" stroke-width=\"3\" stroke-linejoin=\"round\" paint-order=\"stroke\"";
+      body_ +=
+          " stroke=\"#fff\" stroke-width=\"3\" stroke-linejoin=\"round\" paint-order=\"stroke\"";
     }
     body_ += fmt::format(">{}</text>", escaped(words));
   }

@@ -19,8 +19,7 @@ void draw_scale(Svg& svg, const View& view) {
   const double x = View::margin, y = view.height - 14;
   svg.path({{{x, y - 4}, {x, y}, {x + length, y}, {x + length, y - 4}}}, false,
            {.stroke = ink, .width = 1.2});
-  svg.text({x + length + 6, y + 1}, fmt::format("{} m", length_m),
-           {.size = 10, .fill = ink});
+  svg.text({x + length + 6, y + 1}, fmt::format("{} m", length_m), {.size = 10, .fill = ink});
 }
 
 std::vector<Pixel> pixels(const View& view, const Ring& ring) {
