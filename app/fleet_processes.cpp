@@ -112,9 +112,11 @@ std::vector<std::uint32_t> FleetProcesses::dead() {
     const auto code = member.process.exit_code();
     if (!code) continue;
     participants.push_back(member.plan.participant);
-    if (!member.is_dead)
+    if (*code == 0) continue;  // ended as it should
+    if (!member.has_failed) {
       mishaps_.push_back(fmt::format("{} ended with code {}", member.name, *code));
-    member.is_dead = true;
+    }
+    member.has_failed = true;
   }
   return participants;
 }
@@ -122,7 +124,7 @@ std::vector<std::uint32_t> FleetProcesses::dead() {
 bool FleetProcesses::is_crippled() {
   dead();
   return std::any_of(members_.begin(), members_.end(), [](const Member& member) {
-    return member.is_dead && member.plan.nodes.front().kind != NodeKind::agent;
+    return member.has_failed && member.plan.nodes.front().kind != NodeKind::agent;
   });
 }
 

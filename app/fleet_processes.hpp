@@ -28,7 +28,7 @@ class FleetProcesses {
   /// Participants whose processes have ended.
   std::vector<std::uint32_t> dead();
 
-  /// Whether the scheduler or a station has ended unasked: no mission goes on without them.
+  /// Whether the scheduler or a station has failed: no mission goes on without them.
   bool is_crippled();
 
   /// One sentence for each process that failed.
@@ -42,7 +42,7 @@ class FleetProcesses {
     transport::MemberPlan plan;
     std::string name;
     transport::Process process;
-    bool is_dead = false;
+    bool has_failed = false;
   };
 
   std::vector<Member> members_;

@@ -118,7 +118,8 @@ class Determinism(Furrow):
 
     def test_a_bad_radio_changes_nothing_between_sim_and_run(self):
         bad = self.scenario(GARDEN.read_text() +
-                            "link: {latency_s: 0.05, jitter_s: 0.3, loss: 0.2, duplicate: 0.2}\n")
+                            "link: {latency_s: 0.05, jitter_s: 0.3, loss: 0.1, duplicate: 0.2}\n"
+                            "limits: {agent_lease_s: 10}\n")
         for command in ("sim", "run"):
             done = furrow(command, bad, "--quiet", "--out", self.out(command))
             self.assertEqual(done.returncode, 0, done.stderr)
