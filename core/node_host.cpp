@@ -13,15 +13,14 @@ bool NodeHost::Earlier::operator()(const Arrival& a, const Arrival& b) const {
 }
 
 Instant NodeHost::Member::next_event() const {
-  return arrivals.empty() ? wake : std::min(wake, arrivals.begin()->at);
+  const Instant next = arrivals.empty() ? wake : std::min(wake, arrivals.begin()->at);
+  return next < dies ? next : never;
 }
 
-void NodeHost::add(NodeId id, AnyNode node, Instant first) {
-  const bool is_new = members_.emplace(id, Member{std::move(node), first}).second;
+void NodeHost::add(NodeId id, AnyNode node, Instant first, Instant dies) {
+  const bool is_new = members_.emplace(id, Member{std::move(node), first, dies}).second;
   require(is_new, "a host holds each node once");
 }
-
-void NodeHost::remove(NodeId id) { members_.erase(id); }
 
 void NodeHost::deliver(const Envelope& envelope) {
   for (auto& [id, member] : members_) {

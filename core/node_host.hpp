@@ -19,11 +19,9 @@ class NodeHost {
  public:
   NodeHost(Link link, std::uint64_t seed) : link_{link}, seed_{seed} {}
 
-  /// Its first step will be at `first`.
-  void add(NodeId id, AnyNode node, Instant first);
-
-  /// Takes a node out for good, as a crash does: it neither steps nor sends any more.
-  void remove(NodeId id);
+  /// Its first step will be at `first`; from `dies` on it neither steps nor sends any more, as
+  /// after a crash.
+  void add(NodeId id, AnyNode node, Instant first, Instant dies = never);
 
   bool holds(NodeId id) const { return members_.contains(id); }
 
@@ -52,6 +50,7 @@ class NodeHost {
   struct Member {
     AnyNode node;
     Instant wake;
+    Instant dies;
     std::uint64_t last_seq = 0;
     std::multiset<Arrival, Earlier> arrivals{};
 

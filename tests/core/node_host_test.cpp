@@ -52,6 +52,15 @@ TEST_CASE("node_host: a message arrives one latency after it was sent, to those 
   }
 }
 
+TEST_CASE("node_host: a node that dies says nothing from that instant on", "[core]") {
+  NodeHost host{quiet_radio, 1};
+  host.add(scheduler_node(), AnyNode{Talker{}}, epoch, epoch + 2 * second);
+
+  // It would talk at 0, 1, 2 and 3 s; at 2 s it is dead.
+  CHECK(host.advance(never).size() == 4);
+  CHECK(host.next_event() == never);
+}
+
 TEST_CASE("link: loses and doubles at the rates asked for, the same on every call", "[core]") {
   const Link bad{.latency = Duration{10}, .jitter = Duration{5}, .loss = 0.3, .duplication = 0.2};
   int lost = 0, twice = 0;

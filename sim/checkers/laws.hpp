@@ -1,0 +1,64 @@
+#pragma once
+// The laws that every run keeps, simulated or real, judged from what was said in it alone.
+//
+// Work     L1  each cell is sprayed at most once
+//          L2  at the end each cell is sprayed or reported, none is silent
+//          L5  dose within tolerance, nothing sprayed outside the field
+//          L6  work only on a grant newer than the last
+// Energy   L7  no one goes on with less than the way home and the reserve
+//          L8  never below the reserve in flight, tank never below zero, liquid adds up
+// Stations L9  never two aircraft in one bay
+//          L10 a bay is not held by the dead for longer than its lease and a grace
+//          L11 first come first served
+//          L12 each refill counted once
+// Log      L17 every sender's log is complete and in order, so equal runs have equal digests
+
+#include "core/field.hpp"
+#include "core/messages.hpp"
+#include "core/station.hpp"
+#include "scheduler/fleet_plan.hpp"
+#include "sim/checkers/violation.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace furrow::sim {
+
+/// What a run was meant to be.
+struct Facts {
+  Field field;
+  std::vector<Station> stations;
+  scheduler::FleetPlan plan;
+  Duration claim_lease;  ///< A claim not renewed for this long is void.
+  bool whole;            ///< The log ends because the mission did, so L2 must hold.
+};
+
+/// One group of laws. `observe` takes every envelope in the log's order.
+class Checker {
+ public:
+  virtual ~Checker() = default;
+  virtual void observe(const Envelope& envelope) = 0;
+  /// Called once, after the last envelope.
+  virtual void conclude(Instant ended) = 0;
+
+  const std::vector<Violation>& violations() const { return violations_; }
+
+ protected:
+  void report(std::string law, Instant at, std::string detail) {
+    violations_.push_back({std::move(law), at, std::move(detail)});
+  }
+
+ private:
+  std::vector<Violation> violations_;
+};
+
+std::unique_ptr<Checker> work_laws(const Facts& facts);
+std::unique_ptr<Checker> energy_laws(const Facts& facts);
+std::unique_ptr<Checker> station_laws(const Facts& facts);
+std::unique_ptr<Checker> log_laws(const Facts& facts);
+
+/// Every violation in a log, by time.
+std::vector<Violation> violations(const Facts& facts, const std::vector<Envelope>& log,
+                                  Instant ended);
+
+}  // namespace furrow::sim

@@ -1,0 +1,180 @@
+#include "sim/checkers/laws.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <map>
+
+namespace furrow::sim {
+namespace {
+
+// Whether a point is inside the boundary or within `slack_m` of it.
+bool is_inside(const Ring& ring, FieldPoint p, double slack_m) {
+  const double x = p.x.base(), y = p.y.base();
+  bool inside = false;
+  double nearest_m = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
+    const double x1 = ring[j].x.base(), y1 = ring[j].y.base();
+    const double dx = ring[i].x.base() - x1, dy = ring[i].y.base() - y1;
+    if ((y1 > y) != (y1 + dy > y) && x < x1 + dx * (y - y1) / dy) inside = !inside;
+    const double along =
+        std::clamp(((x - x1) * dx + (y - y1) * dy) / std::max(dx * dx + dy * dy, 1e-12), 0.0, 1.0);
+    nearest_m = std::min(nearest_m, std::hypot(x - x1 - along * dx, y - y1 - along * dy));
+  }
+  return inside || nearest_m <= slack_m;
+}
+
+class WorkLaws final : public Checker {
+ public:
+  explicit WorkLaws(const Facts& facts)
+      : facts_{facts},
+        sprayed_(facts.plan.route.centers.size()),
+        booked_(facts.plan.route.centers.size()) {
+    for (const auto& uav : facts.plan.uavs) vehicles_[uav.vehicle.id] = uav.vehicle;
+  }
+
+  void observe(const Envelope& e) override {
+    if (const auto* grant = std::get_if<WorkGrant>(&e.body)) observe_grant(*grant, e.sent);
+    if (const auto* flown = std::get_if<FlightRecord>(&e.body)) observe_flight(*flown, e.sent);
+    if (const auto* report = std::get_if<WorkReport>(&e.body)) observe_report(*report, e.sent);
+    if (const auto* sortie = std::get_if<SortieReport>(&e.body)) observe_sortie(*sortie, e.sent);
+    if (const auto* state = std::get_if<SchedulerState>(&e.body)) last_state_ = *state;
+  }
+
+  void conclude(Instant ended) override {
+    if (!facts_.whole) return;
+    const auto booked = static_cast<std::uint32_t>(
+        std::count_if(booked_.begin(), booked_.end(), [](int n) { return n > 0; }));
+    if (last_state_.open_cells != 0) {
+      report("L2", ended,
+             fmt::format("{} cells are neither sprayed nor reported", last_state_.open_cells));
+    }
+    const std::uint32_t accounted = last_state_.sprayed_cells + last_state_.abandoned_cells;
+    if (accounted != booked_.size()) {
+      report("L2", ended,
+             fmt::format("{} cells are accounted for, of {}", accounted, booked_.size()));
+    }
+    if (last_state_.sprayed_cells != booked) {
+      report("L2", ended,
+             fmt::format("the ledger says {} cells sprayed, the closures {}",
+                         last_state_.sprayed_cells, booked));
+    }
+  }
+
+ private:
+  struct Work {
+    std::map<std::uint64_t, CellRange> granted;     // by grant id
+    std::map<std::uint64_t, std::uint32_t> closed;  // cells sprayed, by grant id
+    std::uint32_t sortie_cells = 0;                 // passed with the valve open in this sortie
+  };
+
+  void observe_grant(const WorkGrant& grant, Instant at) {
+    Work& work = work_[grant.agent];
+    for (const GrantWindow& window : grant.windows) {
+      const auto [known, is_new] = work.granted.emplace(window.id, window.cells);
+      if (!is_new && !(known->second == window.cells)) {
+        report("L6", at,
+               fmt::format("grant {} of {} changed its cells", window.id, text(node(grant.agent))));
+      }
+      if (is_new && window.id != work.granted.rbegin()->first) {
+        report("L6", at,
+               fmt::format("grant {} of {} is not newer than the last", window.id,
+                           text(node(grant.agent))));
+      }
+    }
+  }
+
+  void observe_flight(const FlightRecord& flown, Instant at) {
+    Work& work = work_[flown.agent];
+    work.sortie_cells += flown.cells.count;
+    for (std::uint32_t cell = flown.cells.first; cell < end(flown.cells); ++cell) {
+      if (cell >= sprayed_.size()) {
+        report("L5", at,
+               fmt::format("{} sprayed cell {}, which is no cell of the field",
+                           text(node(flown.agent)), cell));
+        return;
+      }
+      if (++sprayed_[cell] > 1) {
+        report("L1", at, fmt::format("{} sprayed cell {} again", text(node(flown.agent)), cell));
+      }
+      const bool is_granted =
+          std::any_of(work.granted.begin(), work.granted.end(), [&](const auto& grant) {
+            return cell >= grant.second.first && cell < furrow::end(grant.second);
+          });
+      if (!is_granted) {
+        report("L6", at,
+               fmt::format("{} sprayed cell {} without a grant", text(node(flown.agent)), cell));
+      }
+    }
+    observe_track(flown);
+  }
+
+  // Half a swath and what the fix may be off by: nobody can steer closer than he sees.
+  void observe_track(const FlightRecord& flown) {
+    const Vehicle& vehicle = vehicles_.at(flown.agent);
+    const double slack_m =
+        0.5 * vehicle.swath.base() + vehicle.gnss.bias.base() + 4.0 * vehicle.gnss.sigma.base();
+    for (const TrackPoint& point : flown.track) {
+      if (!point.spraying || is_inside(facts_.field.boundary, point.position, slack_m)) continue;
+      report("L5", point.at,
+             fmt::format("{} sprayed at ({:.1f}, {:.1f}) m, more than {:.2f} m outside the field",
+                         text(node(flown.agent)), point.position.x.base(), point.position.y.base(),
+                         slack_m));
+    }
+  }
+
+  void observe_report(const WorkReport& reported, Instant at) {
+    Work& work = work_[reported.agent];
+    for (const Closure& closure : reported.closures) {
+      const auto grant = work.granted.find(closure.grant);
+      if (grant == work.granted.end() || !(grant->second == closure.cells) ||
+          closure.sprayed > closure.cells.count) {
+        report("L6", at,
+               fmt::format("{} closed grant {}, which it does not hold so",
+                           text(node(reported.agent)), closure.grant));
+        continue;
+      }
+      const auto [known, is_new] = work.closed.emplace(closure.grant, closure.sprayed);
+      if (!is_new && known->second != closure.sprayed) {
+        report(
+            "L1", at,
+            fmt::format("{} closed grant {} twice, with {} and {} cells",
+                        text(node(reported.agent)), closure.grant, known->second, closure.sprayed));
+      }
+      if (!is_new) continue;
+      for (std::uint32_t i = 0; i < closure.sprayed; ++i) {
+        if (++booked_[closure.cells.first + i] > 1) {
+          report("L1", at,
+                 fmt::format("cell {} is reported sprayed twice", closure.cells.first + i));
+        }
+      }
+    }
+  }
+
+  // Dose: what left the tank, as distance sprayed, against the cells it covered. A sortie may end
+  // or begin within a cell, and turns between strips are sprayed on a shortened corner.
+  void observe_sortie(const SortieReport& sortie, Instant at) {
+    Work& work = work_[sortie.agent];
+    const double cell_m = facts_.plan.route.cell.base();
+    const double covered_m = work.sortie_cells * cell_m;
+    work.sortie_cells = 0;
+    if (std::abs(sortie.sprayed.base() - covered_m) > 0.02 * covered_m + 2.0 * cell_m) {
+      report("L5", at,
+             fmt::format("{} sprayed {:.1f} m in sortie {} on {:.1f} m of cells",
+                         text(node(sortie.agent)), sortie.sprayed.base(), sortie.sortie + 1,
+                         covered_m));
+    }
+  }
+
+  const Facts& facts_;
+  std::map<AgentId, Vehicle> vehicles_;
+  std::map<AgentId, Work> work_;
+  std::vector<int> sprayed_, booked_;  // how often, by cell: in truth, and as closed
+  SchedulerState last_state_{};
+};
+
+}  // namespace
+
+std::unique_ptr<Checker> work_laws(const Facts& facts) { return std::make_unique<WorkLaws>(facts); }
+
+}  // namespace furrow::sim
