@@ -17,15 +17,12 @@ ReturnCost::ReturnCost(const ReturnProblem& problem)
     cells_.push_back({problem.spray_m[i], problem.on_route_s[i],
                       problem.home_m[i] / problem.vehicle.ferry_speed.base()});
   }
-  reach_.resize(n);
-  origin_.resize(n);
-  for (std::uint32_t i = 0, j = 0; i < n; ++i) {
-    while (spray_m(j, i) > limits_.tank_m) ++j;
-    origin_[i] = j;
-  }
   for (std::uint32_t i = 0, j = 0; i < n; ++i) {
     while (j + 1 < n && spray_m(i, j + 1) <= limits_.tank_m) ++j;
-    reach_[i] = j;
+    tank_reach_.push_back(j);
+    std::uint32_t reach = j;
+    while (reach > i && flight_s(i, reach) > limits_.pack_s) --reach;
+    reach_.push_back(reach);
   }
 }
 

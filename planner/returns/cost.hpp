@@ -26,9 +26,12 @@ class ReturnCost {
   JudgedReturns operator()(std::span<const std::uint32_t> returns) const;
 
   /// Last cell that one tank sprays from cell i.
-  std::uint32_t tank_reach(std::uint32_t i) const { return reach_[i]; }
-  /// First cell from which one tank sprays up to cell i.
-  std::uint32_t tank_origin(std::uint32_t i) const { return origin_[i]; }
+  std::uint32_t tank_reach(std::uint32_t i) const { return tank_reach_[i]; }
+  /// Last cell up to which one tank and one pack carry a sortie from cell i; i if there is none.
+  std::uint32_t reach(std::uint32_t i) const { return reach_[i]; }
+  bool carries(std::uint32_t first, std::uint32_t last) const {
+    return last <= tank_reach_[first] && flight_s(first, last) <= limits_.pack_s;
+  }
 
   std::uint32_t last_cell() const { return static_cast<std::uint32_t>(cells_.size() - 1); }
   const Limits& limits() const { return limits_; }
@@ -53,7 +56,7 @@ class ReturnCost {
     double spray_m, route_s, home_s;
   };
   std::vector<Cell> cells_;
-  std::vector<std::uint32_t> reach_, origin_;
+  std::vector<std::uint32_t> tank_reach_, reach_;
   Limits limits_;
   double first_out_s_, spray_mps_, range_m_;
   double swap_s_, fill_base_s_, fill_rise_s_;

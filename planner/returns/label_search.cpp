@@ -11,7 +11,7 @@ namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double improvement_s = 1e-7;  // less is rounding, not a better plan
 constexpr std::uint32_t no_label = ~0u;
-constexpr std::size_t max_labels = 2'000'000;  // about 80 MB with their queue
+constexpr std::size_t max_labels = 1'000'000;  // about 40 MB with their queue
 
 // A partial plan that ends with landing at a candidate.
 struct Label {

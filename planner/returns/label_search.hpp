@@ -22,7 +22,7 @@ SearchOutcome dive(const Legs& legs, const BatteryBound& bound, double cutoff_s,
 
 /// Best-first search over partial plans, each ending with a landing: cost so far, exact charge, and
 /// the bound as the completion's estimate. Ends with the proven optimum, or after `work_left` legs,
-/// or after two million partial plans. Source: Hart, Nilsson, Raphael 1968 (A*).
+/// or after a million partial plans. Source: Hart, Nilsson, Raphael 1968 (A*).
 SearchOutcome best_first(const Legs& legs, const BatteryBound& bound, double cutoff_s,
                          std::uint64_t& work_left);
 

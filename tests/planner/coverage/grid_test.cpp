@@ -116,6 +116,14 @@ TEST_CASE("grid: broken outlines are refused with the place of the fault", "[pla
       CHECK(field_grid(field, metres(1), Length{}).error().fault == PlanFault::field_invalid);
     }
   }
+  SECTION("an obstacle that is no circle") {
+    Field field = paper_case::field(10, 10);
+    field.obstacles.push_back({"pond", at_m(5, std::nan("")), metres(1)});
+    const auto grid = field_grid(field, metres(1), Length{});
+    REQUIRE_FALSE(grid);
+    CHECK(grid.error().fault == PlanFault::field_invalid);
+    CHECK_THAT(grid.error().detail, Contains("pond"));
+  }
   SECTION("more cells than anyone sprays") {
     CHECK(field_grid(paper_case::field(1e6, 1e6), metres(1), Length{}).error().fault ==
           PlanFault::field_invalid);
