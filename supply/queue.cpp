@@ -127,12 +127,15 @@ void BayQueue::drop_expired(Instant now) {
   changes_ += std::erase_if(visits_, [&](const Visit& v) { return dropped_at(v) <= now; });
 }
 
+bool BayQueue::is_free(std::uint32_t bay) const {
+  return std::none_of(visits_.begin(), visits_.end(),
+                      [bay](const Visit& v) { return v.bay == bay; });
+}
+
 /// The lowest free bay, 0 when all are taken.
 std::uint32_t BayQueue::free_bay() const {
   for (std::uint32_t bay = 1; bay <= station_.bays; ++bay) {
-    const bool taken =
-        std::any_of(visits_.begin(), visits_.end(), [bay](const Visit& v) { return v.bay == bay; });
-    if (!taken) return bay;
+    if (is_free(bay)) return bay;
   }
   return 0;
 }
