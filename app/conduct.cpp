@@ -76,8 +76,8 @@ Progress::~Progress() { fmt::print(stderr, "{}", bar_.clear()); }
 void Progress::observe(const Envelope& envelope) {
   const auto* state = std::get_if<SchedulerState>(&envelope.body);
   if (state == nullptr) return;
-  fmt::print(stderr, "{}", bar_.draw(state->sprayed_cells, seconds(envelope.sent).base(),
-                                     wall_s() - started_s_));
+  fmt::print(stderr, "{}",
+             bar_.draw(state->sprayed_cells, seconds(envelope.sent).base(), wall_s() - started_s_));
 }
 
 Expected<mission::Scenario, Exit> load(const Options& options) {

@@ -23,31 +23,36 @@ std::uint32_t agents_per_process(const Options& options, std::size_t uavs) {
 std::vector<Launch> launches(const Options& options, const mission::Scenario& scenario,
                              const transport::Network& network) {
   std::vector<Launch> all;
-  all.push_back({{transport::scheduler_participant, {scheduler_node()}},
-                 "the scheduler",
-                 "furrow-scheduler",
-                 {}});
+  const auto add = [&](std::uint32_t participant, std::vector<NodeId> nodes) -> Launch& {
+    Launch& launch = all.emplace_back();
+    launch.plan = {participant, std::move(nodes)};
+    return launch;
+  };
+
+  Launch& scheduler = add(transport::scheduler_participant, {scheduler_node()});
+  scheduler.name = "the scheduler";
+  scheduler.program = "furrow-scheduler";
+
   std::uint32_t participant = transport::first_station_participant;
   for (const Station& station : scenario.stations) {
     const std::string number = std::to_string(furrow::number(station.id));
-    all.push_back({{participant++, {node(station.id)}},
-                   "station " + number,
-                   "furrow-supply",
-                   {"--station", number}});
+    Launch& supply = add(participant++, {node(station.id)});
+    supply.name = "station " + number;
+    supply.program = "furrow-supply";
+    supply.role = {"--station", number};
   }
+
   participant = transport::first_agent_participant(network);
   const std::size_t each = agents_per_process(options, scenario.uavs.size());
   for (std::size_t first = 0; first < scenario.uavs.size(); first += each) {
-    const std::size_t last = std::min(first + each, scenario.uavs.size()) - 1;
-    const std::string range = fmt::format("{}-{}", first + 1, last + 1);
-    Launch launch{{participant++, {}},
-                  "the process of agents " + range,
-                  "furrow-agents",
-                  {"--agents", range}};
-    for (std::size_t i = first; i <= last; ++i) {
-      launch.plan.nodes.push_back(node(scenario.uavs[i].id));
-    }
-    all.push_back(std::move(launch));
+    const std::size_t end = std::min(first + each, scenario.uavs.size());
+    std::vector<NodeId> hosted;
+    for (std::size_t i = first; i < end; ++i) hosted.push_back(node(scenario.uavs[i].id));
+    const std::string range = fmt::format("{}-{}", first + 1, end);
+    Launch& agents = add(participant++, std::move(hosted));
+    agents.name = "the process of agents " + range;
+    agents.program = "furrow-agents";
+    agents.role = {"--agents", range};
   }
   return all;
 }

@@ -15,7 +15,8 @@ constexpr Epoch first_epoch{1};
 
 template <class T, class Id>
 const T& with_id(const std::vector<T>& all, Id id) {
-  const auto found = std::find_if(all.begin(), all.end(), [&](const T& one) { return one.id == id; });
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const T& one) { return one.id == id; });
   require(found != all.end(), "a node is made only for a member of the scenario");
   return *found;
 }

@@ -124,14 +124,6 @@ class GrantedMember {
   std::optional<TransportError> step(Instant limit) {
     for (const Sample& sample : mailbox_.take_messages()) host_.deliver(sample.envelope);
     written_.clear();
-    auto crashes = settings_.crashes;
-    std::erase_if(crashes, [&](const Crash& c) { return c.at >= limit || !host_.holds(c.node); });
-    std::sort(crashes.begin(), crashes.end(),
-              [](const Crash& a, const Crash& b) { return a.at < b.at; });
-    for (const Crash& crash : crashes) {
-      if (!advance(crash.at)) return TransportError{"a message could not be sent"};
-      host_.remove(crash.node);
-    }
     if (!advance(limit)) return TransportError{"a message could not be sent"};
     request({});
     return std::nullopt;

@@ -10,18 +10,11 @@
 
 namespace furrow::transport {
 
-/// A node that stops for good: it takes no part in what happens at `at` or later.
-struct Crash {
-  Instant at;
-  NodeId node;
-};
-
 struct MemberSettings {
   Network network;
-  std::uint32_t participant;     ///< See Network.
-  std::vector<NodeId> nodes;     ///< Those that the host holds.
-  BootId boot{1};                ///< Of this process; travels in every header.
-  std::vector<Crash> crashes{};  ///< Granted time only.
+  std::uint32_t participant;  ///< See Network.
+  std::vector<NodeId> nodes;  ///< Those that the host holds.
+  BootId boot{1};             ///< Of this process; travels in every header.
   /// The mission's epoch in CLOCK_REALTIME nanoseconds. Left out, the director grants time.
   std::optional<std::int64_t> epoch_realtime_ns{};
   /// Told of each participant that has died or gone silent; called from the member's own thread.

@@ -142,8 +142,8 @@ Run fly(SchedulerSettings s, const Link& radio, std::uint64_t seed, std::uint32_
   NodeHost host{radio, seed};
   host.add(scheduler_node(), AnyNode{SchedulerNode{std::move(s)}}, Instant{});
   for (std::uint32_t i = 1; i <= agents; ++i) {
-    const Instant dies = AgentId{i} == victim ? killed_at : never;
-    host.add(node(AgentId{i}), AnyNode{Follower{AgentId{i}, &run.sprayed}}, Instant{}, dies);
+    host.add(node(AgentId{i}), AnyNode{Follower{AgentId{i}, &run.sprayed}}, Instant{},
+             AgentId{i} == victim ? killed_at : never);
   }
   while (host.next_event() < at_s(1200)) {
     for (Envelope& e : host.advance(host.next_event() + radio.latency)) {
