@@ -1,0 +1,99 @@
+// The furrow command: reads the command line and hands over to one of app/commands.
+
+#include "app/options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+
+namespace furrow::app {
+namespace {
+
+// "max", "wall" or a positive factor of real time.
+std::string set_pace(Pace& pace, const std::string& text) {
+  if (text == "max") {
+    pace = {Pace::Kind::max, 1.0};
+  } else if (text == "wall") {
+    pace = {Pace::Kind::wall, 1.0};
+  } else {
+    char* rest = nullptr;
+    const double factor = std::strtod(text.c_str(), &rest);
+    if (*rest != '\0' || !(factor > 0.0) || factor > 1e6) {
+      return "--speed: max, wall, or times real time between 0 and 1e6 (got " + text + ")";
+    }
+    pace = {Pace::Kind::times_real, factor};
+  }
+  return {};
+}
+
+void add_scenario(CLI::App& command, Options& options) {
+  command.add_option("scenario", options.scenario, "Scenario file (YAML)")->required();
+  command.add_option("--seed", options.seed, "Instead of the scenario's seed");
+}
+
+void add_results(CLI::App& command, Options& options) {
+  command.add_option("--out", options.out, "Folder for the results (default out/<scenario name>)");
+  command.add_flag("--json", options.json, "Print result.json to stdout, and nothing else there");
+  command.add_flag("--quiet", options.quiet, "No progress, no summary");
+}
+
+int furrow(int argc, char** argv) {
+  CLI::App app{"Plans and flies crop-spraying missions of several UAVs.", "furrow"};
+  app.require_subcommand(1);
+  app.failure_message(CLI::FailureMessage::help);
+  Options options;
+  options.program_folder = std::filesystem::canonical("/proc/self/exe").parent_path();
+
+  CLI::App* check_command = app.add_subcommand("check", "Say every error of a scenario");
+  add_scenario(*check_command, options);
+
+  CLI::App* plan_command = app.add_subcommand("plan", "Plan only");
+  add_scenario(*plan_command, options);
+  add_results(*plan_command, options);
+
+  CLI::App* sim_command = app.add_subcommand("sim", "Fly in one process on a virtual clock");
+  add_scenario(*sim_command, options);
+  add_results(*sim_command, options);
+
+  CLI::App* run_command =
+      app.add_subcommand("run", "Fly as one process per scheduler, station and agent, over DDS");
+  add_scenario(*run_command, options);
+  add_results(*run_command, options);
+  std::string speed = "max";
+  run_command->add_option("--speed", speed,
+                          "max, times real time (granted by the clock), or wall (real time)");
+  run_command
+      ->add_option("--agents-per-process", options.agents_per_process,
+                   "Aircraft hosted by one process")
+      ->check(CLI::Range(1, 50));
+  run_command->add_option("--interface", options.interface,
+                          "Address of the network interface to use");
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? Exit::done : Exit::bad_input;
+  }
+  if (const std::string error = set_pace(options.pace, speed); !error.empty()) {
+    std::fprintf(stderr, "furrow: %s\n", error.c_str());
+    return Exit::bad_input;
+  }
+
+  if (check_command->parsed()) return check(options);
+  if (plan_command->parsed()) return plan(options);
+  if (sim_command->parsed()) return sim(options);
+  return run(options);
+}
+
+}  // namespace
+}  // namespace furrow::app
+
+int main(int argc, char** argv) {
+  try {
+    return furrow::app::furrow(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "furrow: internal error: %s\n", error.what());
+    return furrow::app::Exit::broken;
+  }
+}
