@@ -57,5 +57,11 @@ TEST_CASE("work ledger: closes in part and takes up the rest under a new id", "[
   CHECK(ledger.licensed_to(4) == 10);
 }
 
+TEST_CASE("work ledger: windows join whatever the order of their ids", "[agents]") {
+  WorkLedger ledger;
+  ledger.accept(level({{1, {10, 10}}, {2, {0, 4}}, {3, {4, 6}}}), order);
+  CHECK(ledger.licensed_to(0) == 20);
+}
+
 }  // namespace
 }  // namespace furrow::agents
