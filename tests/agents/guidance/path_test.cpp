@@ -34,7 +34,7 @@ TEST_CASE("path: is continuous in place and direction", "[agents]") {
 TEST_CASE("path: arcs are no faster than the sideways acceleration allows", "[agents]") {
   const Path path = u_turn();
   for (const Segment& s : path.segments()) {
-    if (!s.is_straight()) CHECK(s.limit_mps == Approx(std::sqrt(3.0 * 1.0)));
+    if (!s.is_straight()) CHECK(s.limit_mps == Approx(std::sqrt(0.9 * 3.0 * 1.0)));
   }
 }
 
