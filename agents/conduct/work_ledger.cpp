@@ -22,10 +22,13 @@ bool WorkLedger::accept(const WorkGrant& grant, const Order& order) {
 }
 
 std::uint32_t WorkLedger::licensed_to(std::uint32_t cell) const {
-  for (const Open& open : open_) {  // oldest first, and work is granted in its order
-    if (open.window.cells.first + open.sprayed == cell) cell = end(open.window.cells);
+  // The rest of a window closed early comes under a newer id than the cells behind it.
+  const auto begins_here = [&](const Open& o) { return o.window.cells.first + o.sprayed == cell; };
+  for (;;) {
+    const auto next = std::find_if(open_.begin(), open_.end(), begins_here);
+    if (next == open_.end()) return cell;
+    cell = end(next->window.cells);
   }
-  return cell;
 }
 
 bool WorkLedger::spray(std::uint32_t cell, Instant at) {

@@ -9,6 +9,7 @@ namespace {
 
 constexpr double shortest_leg_m = 1e-6;
 constexpr double straight_rad = 1e-6;
+constexpr double arc_share = 0.9;  // of the acceleration: the rest brings it back onto the arc
 constexpr double tightest_arc_m = 0.01;  // below it an aircraft might as well stop and turn
 
 // Time over a length when speed may rise and fall at `a` but not pass `limit`.
@@ -78,7 +79,7 @@ void Path::cut_corners() {
     vertex.arc_start_m = length_;
     if (radius > 0.0) {
       const double limit = std::min({vertex.limit_mps, vertices_[i + 1].limit_mps,
-                                     std::sqrt(limits_.acceleration_mps2 * radius)});
+                                     std::sqrt(arc_share * limits_.acceleration_mps2 * radius)});
       vertex.arc_length_m = radius * std::abs(angle);
       append({length_, vertex.arc_length_m, vertex.at - vertex.cut_m * ahead, ahead,
               std::copysign(1.0 / radius, angle), limit, limit});

@@ -10,7 +10,7 @@ namespace furrow::agents {
 
 /// What bounds a path's speed and its corners.
 struct PathLimits {
-  double acceleration_mps2;  ///< Along the path, and across it in arcs; > 0.
+  double acceleration_mps2;  ///< Along the path; nine tenths of it across in arcs; > 0.
   double corner_cut_m;       ///< An arc leaves its legs at most this far from the corner.
   double min_radius_m;       ///< No arc is tighter; a corner that would be is turned at a stop.
 };
