@@ -56,6 +56,9 @@ TEST_CASE("summary: what was flown counts by closed grants, once each", "[app]")
   // UAV 1: home 8 to 12, waits 3, in the bay 60, takes off at 75 and sprays from 79.
   CHECK(r.uavs[0].non_spray_s == 4 + 3 + 60 + 4);
   CHECK(r.fleet.queue_wait_s == 3.0);
+  // UAV 2 never reported its sortie; its valve closed at 6 s.
+  CHECK(r.uavs[1].sorties.empty());
+  CHECK(r.uavs[1].spray_ended_s == 6.0);
   CHECK(r.real_time_factor == 44.0);  // 88 s in 2 s
   // The swath of UAV 2 reaches 0.5 m over the eastern edge on 8 m.
   CHECK(r.coverage.outside_m2 == Approx(4.0));
