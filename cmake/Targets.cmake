@@ -19,11 +19,10 @@ function(furrow_library name)
 endfunction()
 
 # furrow_node(<folder>)
-# The process furrow-<folder>: <folder>/main.cpp, the folder's library, the scenario and the
-# transport. Nothing else.
+# The program furrow-<folder>: <folder>/main.cpp and the course common to all node processes.
 function(furrow_node name)
-  add_executable(furrow-${name} main.cpp)
-  target_link_libraries(furrow-${name} PRIVATE furrow::${name} furrow::mission furrow::transport)
+  add_executable(furrow-${name} ${PROJECT_SOURCE_DIR}/${name}/main.cpp)
+  target_link_libraries(furrow-${name} PRIVATE furrow::process)
 endfunction()
 
 # furrow_test(<folder> [<library> ...])

@@ -22,6 +22,7 @@ struct ReturnProblem {
   std::vector<double> on_route_s;  ///< Flying time from the first cell to cell i without returning.
   std::vector<double> home_m;      ///< Straight distance from cell i to the station.
   double fly_out_m;                ///< From the aircraft's first position to cell 0.
+  std::vector<std::uint32_t> strip_starts;  ///< First cells of strips, rising; [0] = 0.
 };
 
 /// The cells after which the aircraft returns: indices into the share, strictly rising, the last

@@ -1,0 +1,117 @@
+#include "planner/returns/evaluate.hpp"
+
+#include "core/require.hpp"
+#include "planner/returns/limits.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <functional>
+
+namespace furrow::planner {
+namespace {
+
+PlannedSortie flown(const ReturnProblem& problem, std::uint32_t first, std::uint32_t last) {
+  const double ferry_mps = problem.vehicle.ferry_speed.base();
+  const double out_m = first == 0 ? problem.fly_out_m : problem.home_m[first];
+  return {.first = first,
+          .last = last,
+          .spray_m = problem.spray_m[last] - problem.spray_m[first],
+          .fly_out_s = out_m / ferry_mps,
+          .spray_s = problem.on_route_s[last] - problem.on_route_s[first],
+          .fly_back_s = problem.home_m[last] / ferry_mps,
+          .pack = 1,
+          .battery_used = 0.0,
+          .battery_swap_s = 0.0,
+          .fill_s = 0.0,
+          .service_s = 0.0};
+}
+
+double flight_s(const PlannedSortie& s) { return s.fly_out_s + s.spray_s + s.fly_back_s; }
+
+std::uint32_t cell_count(const ReturnProblem& problem) {
+  return static_cast<std::uint32_t>(problem.spray_m.size());
+}
+
+}  // namespace
+
+ReturnPlan evaluated(const ReturnProblem& problem, const Returns& returns) {
+  require(std::is_sorted(returns.begin(), returns.end(), std::less_equal<>{}) &&
+              (returns.empty() || returns.back() + 1 < cell_count(problem)),
+          "returns rise strictly and end before the last cell");
+  const Limits limits = limits_of(problem);
+  ReturnPlan plan{
+      .returns = returns, .sorties = {}, .non_spray_s = 0, .round_trips_m = 0, .swaps = 0};
+  plan.sorties.reserve(returns.size() + 1);
+  std::uint32_t first = 0;
+  for (const std::uint32_t last : returns) {
+    plan.sorties.push_back(flown(problem, first, last));
+    first = last;
+  }
+  plan.sorties.push_back(flown(problem, first, cell_count(problem) - 1));
+
+  double used_s = 0.0;  // of the pack on board
+  for (std::size_t n = 0; n < plan.sorties.size(); ++n) {
+    PlannedSortie& sortie = plan.sorties[n];
+    sortie.pack = plan.swaps + 1;
+    sortie.battery_used = flight_s(sortie) / problem.vehicle.flight_endurance.base();
+    used_s += flight_s(sortie);
+    if (n + 1 == plan.sorties.size()) break;
+
+    const PlannedSortie& next = plan.sorties[n + 1];
+    const bool swap = used_s + flight_s(next) > limits.pack_s;
+    if (swap) {
+      used_s = 0.0;
+      ++plan.swaps;
+    }
+    const double fill_share = next.spray_m / tank_range(problem.vehicle).base();
+    sortie.battery_swap_s = swap ? problem.station.battery_swap.base() : 0.0;
+    sortie.fill_s = fill_time(problem.station, fill_share).base();
+    sortie.service_s = service_time(problem.station, swap, fill_share).base();
+    plan.non_spray_s += sortie.service_s + sortie.fly_back_s + next.fly_out_s;
+    plan.round_trips_m += 2.0 * problem.home_m[sortie.last];
+  }
+  return plan;
+}
+
+bool is_feasible(const ReturnProblem& problem, const ReturnPlan& plan) {
+  const Limits limits = limits_of(problem);
+  return std::all_of(plan.sorties.begin(), plan.sorties.end(), [&](const PlannedSortie& s) {
+    return s.spray_m <= limits.tank_m && flight_s(s) <= limits.pack_s;
+  });
+}
+
+std::optional<PlanError> infeasibility(const ReturnProblem& problem) {
+  const Limits limits = limits_of(problem);
+  const auto cell = [&](std::uint32_t i) { return problem.cells.first + i; };
+  for (std::uint32_t i = 0; i < cell_count(problem); ++i) {
+    const PlannedSortie least = flown(problem, i == 0 ? 0 : i - 1, i);
+    if (least.spray_m > limits.tank_m) {
+      return PlanError{PlanFault::tank_too_small,
+                       fmt::format("UAV {}: cell {} takes {:.1f} m of spraying, a tank lasts for "
+                                   "{:.1f} m",
+                                   number(problem.vehicle.id), cell(i), least.spray_m,
+                                   tank_range(problem.vehicle).base())};
+    }
+    if (flight_s(least) > limits.pack_s) {
+      return PlanError{
+          PlanFault::out_of_reach,
+          fmt::format("UAV {}: cell {} from station {} and back takes {:.1f} s of flight, a pack "
+                      "lasts for {:.1f} s",
+                      number(problem.vehicle.id), cell(i), number(problem.station.id),
+                      flight_s(least), usable_endurance(problem.vehicle).base())};
+    }
+  }
+  return std::nullopt;
+}
+
+bool simple_plan_suffices(const ReturnProblem& problem, const ReturnPlan& unplanned,
+                          const ReturnPlan& simple) {
+  if (unplanned.sorties.size() != simple.sorties.size()) return false;
+  double shorter_m = 0.0;
+  for (std::size_t n = 0; n + 1 < unplanned.sorties.size(); ++n) {
+    shorter_m += unplanned.sorties[n].spray_m - simple.sorties[n].spray_m;
+  }
+  return shorter_m <= limits_of(problem).tank_m - unplanned.sorties.back().spray_m;
+}
+
+}  // namespace furrow::planner

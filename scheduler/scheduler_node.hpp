@@ -1,0 +1,89 @@
+#pragma once
+
+#include "core/node.hpp"
+#include "scheduler/fleet_plan.hpp"
+#include "scheduler/ledger.hpp"
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace furrow::scheduler {
+
+struct SchedulerSettings {
+  FleetPlan plan;
+  Epoch epoch;             ///< Of this incarnation, > 0.
+  Duration agent_lease;    ///< An agent silent for longer is lost; > 0.
+  Duration mission_limit;  ///< The mission is given up after this mission time; > 0.
+  Duration gather_time{std::chrono::seconds{10}};  ///< An agent not heard of by then is lost.
+  std::uint32_t windows_ahead = 2;                 ///< Open windows per agent, >= 1.
+};
+
+/// The scheduler of a mission as a node.
+///
+/// It waits until every agent of the plan has been heard of, commands each its whole plan, and
+/// releases the work window by window: at most one piece each, ids 1, 2, 3, ... per agent. The rest
+/// of a window that was closed early is released again first. All it sends is a level and is sent
+/// again when an agent's heartbeat shows that the agent lacks it, at most every two seconds.
+///
+/// An agent silent for longer than its lease is lost and never listened to again in this epoch.
+/// The mission is finished when every cell is sprayed or given up and every living agent is down;
+/// completed when none was given up. Cells that the route leaves out are reported at the start.
+class SchedulerNode {
+ public:
+  explicit SchedulerNode(SchedulerSettings settings);
+
+  Outbox step(const Inbox& inbox, Instant now);
+
+  const Ledger& ledger() const { return ledger_; }
+
+ private:
+  /// What the scheduler knows of one agent.
+  struct Member {
+    AgentId agent;
+    CellRange share;
+    std::vector<SortieOrder> sorties;
+    std::vector<Piece> pieces;
+    std::optional<BootId> boot{};  ///< Of the incarnation listened to.
+    Instant last_heard{};
+    Phase phase = Phase::idle;
+    bool accepted = false;  ///< The command.
+    bool lost = false;
+    std::optional<Instant> commanded_at{}, granted_at{};
+    bool owes_grant = false;  ///< The level has changed since it was last sent.
+  };
+
+  Member* member(AgentId agent, BootId boot, Instant now);
+  void hear(const Envelope& envelope, Instant now, Outbox& out);
+  void hear(const AgentInfo& info, Instant now, Outbox& out);
+  void hear(const AgentState& state, Instant now, Outbox& out);
+  void hear(const CommandAck& ack, Instant now, Outbox& out);
+  void hear(const WorkReport& report, Instant now, Outbox& out);
+
+  void gather(Instant now, Outbox& out);
+  void check_leases(Instant now, Outbox& out);
+  void check_limit(Instant now, Outbox& out);
+  void direct(Member& m, Instant now, Outbox& out);
+  void command(Member& m, Instant now, Outbox& out);
+  void release(Member& m);
+  void send_grant(Member& m, Instant now, Outbox& out);
+  void lose(Member& m, std::string_view why, Outbox& out);
+  void give_up(Member& m, std::string_view why, Outbox& out);
+  void finish_if_done(Outbox& out);
+  void report_state(Instant now, Outbox& out);
+  SchedulerState state() const;
+  bool has_work_left(const Member& m) const;
+  bool is_down(const Member& m) const;
+  bool is_leased(const Member& m) const;
+  Instant next_wake(Instant now) const;
+
+  SchedulerSettings settings_;
+  Ledger ledger_;
+  std::vector<Member> members_;  ///< In order of agent id.
+  MissionPhase phase_ = MissionPhase::gathering;
+  std::optional<MissionPhase> reported_phase_{};
+  Instant state_due_{};
+  int farewells_ = 5;  ///< How often the end is still told, since messages get lost.
+};
+
+}  // namespace furrow::scheduler

@@ -1,0 +1,163 @@
+#include "supply/queue.hpp"
+
+#include "core/require.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+namespace furrow::supply {
+namespace {
+
+bool is_before(const Visit& a, const Visit& b) {
+  return std::tie(a.first_claimed, a.agent) < std::tie(b.first_claimed, b.agent);
+}
+
+bool is_sound(const ServiceClaim& claim) {
+  return claim.claim > 0 && claim.fill >= 0.0 && claim.fill <= 1.0;  // false for NaN too
+}
+
+}  // namespace
+
+BayQueue::BayQueue(const Station& station, LeaseTerms terms) : station_{station}, terms_{terms} {
+  require(station.bays >= 1, "a station has a bay");
+  require(terms.lease > Duration::zero() && terms.clearing >= Duration::zero(),
+          "a lease lasts and clearing a bay takes no negative time");
+}
+
+Visit* BayQueue::visit_of(AgentId agent) {
+  const auto it = std::find_if(visits_.begin(), visits_.end(),
+                               [agent](const Visit& v) { return v.agent == agent; });
+  return it == visits_.end() ? nullptr : &*it;
+}
+
+/// Whether the claim is of the agent's present incarnation and of a visit that is not over.
+bool BayQueue::is_present(const ServiceClaim& claim) {
+  Past& past = past_.try_emplace(claim.agent, Past{.boot = claim.boot}).first->second;
+  if (past.boot != claim.boot) {
+    const bool is_retired = std::count(past.retired.begin(), past.retired.end(), claim.boot) > 0;
+    // While the bay of the earlier incarnation is not cleared, the aircraft may still stand in it.
+    if (is_retired || visit_of(claim.agent) != nullptr) return false;
+    past.retired.push_back(past.boot);
+    past.boot = claim.boot;
+    past.finished = 0;
+  }
+  return claim.claim > past.finished;
+}
+
+std::optional<Visit> BayQueue::hear(const ServiceClaim& claim, Instant now) {
+  if (claim.station != station_.id || !is_sound(claim)) return std::nullopt;
+  drop_expired(now);
+  if (!is_present(claim)) return std::nullopt;
+  Visit* visit = visit_of(claim.agent);
+  if (visit != nullptr && claim.claim < visit->claim) return std::nullopt;
+  if (visit != nullptr && claim.claim > visit->claim) {  // its release was lost
+    finish(claim.agent, now);
+    visit = nullptr;
+  }
+  if (claim.status == ClaimStatus::released) {
+    finish(claim.agent, now);
+    past_.at(claim.agent).finished = claim.claim;
+    return std::nullopt;
+  }
+  if (visit == nullptr) {
+    const Visit fresh{.agent = claim.agent,
+                      .boot = claim.boot,
+                      .claim = claim.claim,
+                      .first_claimed = claim.first_claimed,
+                      .swap = claim.swap,
+                      .fill = claim.fill,
+                      .expires = now + terms_.lease,
+                      .bay = 0,
+                      .token = 0,
+                      .starts = {},
+                      .ready = {},
+                      .counted = false};
+    ++changes_;
+    return *visits_.insert(std::upper_bound(visits_.begin(), visits_.end(), fresh, is_before),
+                           fresh);
+  }
+  visit->expires = now + terms_.lease;
+  return *visit;
+}
+
+void BayQueue::count(Visit& visit, Instant now) {
+  if (visit.bay == 0 || visit.counted || visit.ready > now) return;
+  visit.counted = true;
+  ++changes_;
+  if (visit.swap) ++handed_out_.swaps;
+  handed_out_.tanks[visit.agent] += visit.fill;
+}
+
+void BayQueue::finish(AgentId agent, Instant now) {
+  Visit* visit = visit_of(agent);
+  if (visit == nullptr) return;
+  count(*visit, now);
+  past_.at(agent).finished = visit->claim;
+  visits_.erase(visits_.begin() + (visit - visits_.data()));
+  ++changes_;
+}
+
+Instant BayQueue::dropped_at(const Visit& visit) const {
+  return visit.bay == 0 ? visit.expires : visit.expires + terms_.clearing;
+}
+
+/// The visit itself is not over: its agent may renew it late, and queues again in its old place.
+void BayQueue::drop_expired(Instant now) {
+  for (Visit& visit : visits_) count(visit, now);
+  changes_ += std::erase_if(visits_, [&](const Visit& v) { return dropped_at(v) <= now; });
+}
+
+/// The lowest free bay, 0 when all are taken.
+std::uint32_t BayQueue::free_bay() const {
+  for (std::uint32_t bay = 1; bay <= station_.bays; ++bay) {
+    const bool taken =
+        std::any_of(visits_.begin(), visits_.end(), [bay](const Visit& v) { return v.bay == bay; });
+    if (!taken) return bay;
+  }
+  return 0;
+}
+
+std::vector<Visit> BayQueue::advance(Instant now) {
+  drop_expired(now);
+  std::vector<Visit> served;
+  for (Visit& visit : visits_) {
+    if (visit.bay != 0) continue;
+    const std::uint32_t bay = free_bay();
+    if (bay == 0) break;
+    visit.bay = bay;
+    visit.token = ++last_token_;
+    ++changes_;
+    visit.starts = now;
+    visit.ready = now + duration(service_time(station_, visit.swap, visit.fill));
+    count(visit, now);
+    served.push_back(visit);
+  }
+  return served;
+}
+
+Instant BayQueue::next_event() const {
+  Instant next = never;
+  for (const Visit& visit : visits_) {
+    next = std::min(next, dropped_at(visit));
+    if (visit.bay != 0 && !visit.counted) next = std::min(next, visit.ready);
+  }
+  return next;
+}
+
+std::vector<Visit> BayQueue::waiting() const {
+  std::vector<Visit> found;
+  std::copy_if(visits_.begin(), visits_.end(), std::back_inserter(found),
+               [](const Visit& v) { return v.bay == 0; });
+  return found;
+}
+
+std::vector<Visit> BayQueue::in_bay() const {
+  std::vector<Visit> found;
+  std::copy_if(visits_.begin(), visits_.end(), std::back_inserter(found),
+               [](const Visit& v) { return v.bay != 0; });
+  std::sort(found.begin(), found.end(),
+            [](const Visit& a, const Visit& b) { return a.bay < b.bay; });
+  return found;
+}
+
+}  // namespace furrow::supply

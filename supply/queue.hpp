@@ -1,0 +1,97 @@
+#pragma once
+// Who is served when at one station. Plain bookkeeping: the node around it speaks and listens.
+
+#include "core/messages.hpp"
+#include "core/station.hpp"
+#include "core/time.hpp"
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace furrow::supply {
+
+/// How long the word of an aircraft counts.
+struct LeaseTerms {
+  Duration lease;     ///< A claim not renewed for longer is dropped; > 0.
+  Duration clearing;  ///< A bay whose holder fell silent stays shut for as long after that; >= 0.
+};
+
+/// One aircraft's visit, in the queue or in a bay.
+struct Visit {
+  AgentId agent;
+  BootId boot;
+  std::uint64_t claim;
+  Instant first_claimed;
+  bool swap;
+  double fill;          ///< Share of a tank, 0 .. 1.
+  Instant expires;      ///< Last renewal plus lease.
+  std::uint32_t bay;    ///< 0 while waiting.
+  std::uint64_t token;  ///< 0 while waiting, as the next two.
+  Instant starts, ready;
+  bool counted;  ///< Its service is in the totals.
+};
+
+/// What the station has handed out. Each service counts once, when it is done.
+struct HandedOut {
+  std::uint32_t swaps = 0;
+  std::map<AgentId, double> tanks{};  ///< Shares of a tank, summed.
+};
+
+/// The bays of one station and the queue for them: first come first served, by the instant of the
+/// first claim, then by agent id. Claims may be lost, repeated and reordered: a claim of an earlier
+/// visit, of a finished one or of an earlier incarnation of an agent changes nothing.
+///
+/// First come counts among the claims that have arrived: a free bay is not kept for one that may
+/// still be on its way.
+class BayQueue {
+ public:
+  BayQueue(const Station& station, LeaseTerms terms);
+
+  /// Takes a heartbeat of a visit; a release frees the bay at once.
+  /// @return  The visit it belongs to, nothing for a claim that is over, stale or impossible.
+  std::optional<Visit> hear(const ServiceClaim& claim, Instant now);
+
+  /// Drops what has expired, counts the services done and fills free bays from the queue.
+  /// @return  The visits that got a bay now, in order of service.
+  std::vector<Visit> advance(Instant now);
+
+  /// When `advance` has something to do next, later than the last `advance`; `never` without
+  /// visits.
+  Instant next_event() const;
+
+  /// Visits without a bay, in order of service.
+  std::vector<Visit> waiting() const;
+  /// Visits in a bay, by bay.
+  std::vector<Visit> in_bay() const;
+  const HandedOut& handed_out() const { return handed_out_; }
+  /// Rises with every change of the queue, the bays or what was handed out; not with renewals.
+  std::uint64_t changes() const { return changes_; }
+
+ private:
+  /// What is known of an agent beyond its present visit.
+  struct Past {
+    BootId boot;
+    std::uint64_t finished = 0;     ///< Highest claim that is over.
+    std::vector<BootId> retired{};  ///< Earlier incarnations.
+  };
+
+  bool is_present(const ServiceClaim& claim);
+  Visit* visit_of(AgentId agent);
+  void finish(AgentId agent, Instant now);
+  void count(Visit& visit, Instant now);
+  void drop_expired(Instant now);
+  Instant dropped_at(const Visit& visit) const;
+  std::uint32_t free_bay() const;
+
+  Station station_;
+  LeaseTerms terms_;
+  std::vector<Visit> visits_;  ///< Sorted by first claim, then agent.
+  std::map<AgentId, Past> past_;
+  HandedOut handed_out_;
+  std::uint64_t last_token_ = 0;
+  std::uint64_t changes_ = 0;
+};
+
+}  // namespace furrow::supply

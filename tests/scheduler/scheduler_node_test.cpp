@@ -1,0 +1,291 @@
+#include "scheduler/scheduler_node.hpp"
+
+#include "core/node_host.hpp"
+#include "tests/scheduler/fixture.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <map>
+
+namespace furrow::scheduler {
+namespace {
+
+using std::chrono::seconds;
+
+constexpr Instant at_s(int s) { return Instant{seconds{s}}; }
+constexpr Link quiet_radio{
+    .latency = Duration{20'000'000}, .jitter = {}, .loss = 0, .duplication = 0};
+constexpr Link bad_radio{.latency = Duration{20'000'000},
+                         .jitter = Duration{300'000'000},
+                         .loss = 0.2,
+                         .duplication = 0.2};
+
+constexpr std::uint32_t strips = 6, cells_per_strip = 10;
+
+FleetPlan plan() {
+  FleetPlan p{.route = comb(strips, cells_per_strip),
+              .work_direction_deg = 0,
+              .uavs = {},
+              .makespan_s = 0,
+              .lower_bound_s = 0};
+  p.uavs = {uav_plan(p.route, 1, {0, 3}, {4, 17}), uav_plan(p.route, 2, {3, 3}, {12}),
+            uav_plan(p.route, 3, {6, 0}, {})};
+  return p;
+}
+
+SchedulerSettings settings(seconds lease) {
+  return {.plan = plan(), .epoch = Epoch{1}, .agent_lease = lease, .mission_limit = seconds{600}};
+}
+
+// Follows its order as an aircraft would: one window after the other, two cells a second, every
+// third window closed before its end. Says where it stands once a second.
+struct Follower {
+  AgentId id;
+  std::map<std::uint32_t, int>* sprayed;
+  std::uint32_t ordered = 0;
+  bool has_order = false;
+  std::uint32_t done = 0;
+  std::uint64_t last_accepted = 0, last_closed = 0;
+  std::map<std::uint64_t, CellRange> open{};
+  std::vector<Closure> unbooked{};
+
+  void hear(const Command& c) {
+    has_order = true;
+    ordered = 0;
+    for (const auto& sortie : c.sorties) {
+      for (const auto& piece : sortie.pieces) ordered += piece.cells.count;
+    }
+  }
+
+  void hear(const WorkGrant& g) {
+    std::erase_if(unbooked, [&](const Closure& c) { return c.grant <= g.closed_through; });
+    for (const GrantWindow& w : g.windows) {
+      if (w.id <= last_accepted) continue;
+      open.emplace(w.id, w.cells);
+      last_accepted = w.id;
+    }
+  }
+
+  void work(Instant now) {
+    if (open.empty()) return;
+    auto next = open.begin();
+    for (auto it = open.begin(); it != open.end(); ++it) {
+      if (it->second.first < next->second.first) next = it;
+    }
+    const auto [grant, cells] = *next;
+    const bool early = grant % 3 == 0 && cells.count > 1;
+    const std::uint32_t count = early ? cells.count / 2 : cells.count;
+    for (std::uint32_t c = cells.first; c < cells.first + count; ++c) ++(*sprayed)[c];
+    done += count;
+    unbooked.push_back(
+        {grant, cells, count, early ? CloseReason::tank_low : CloseReason::sprayed, now});
+    last_closed = std::max(last_closed, grant);
+    open.erase(next);
+  }
+
+  AgentState state() const {
+    AgentState s{};
+    s.agent = id;
+    s.boot = BootId{number(id)};
+    s.epoch = Epoch{has_order ? 1u : 0u};
+    s.revision = has_order ? 1 : 0;
+    s.phase = !has_order ? Phase::idle : done == ordered ? Phase::done : Phase::spray;
+    s.last_grant = last_accepted;
+    s.last_closed = last_closed;
+    return s;
+  }
+
+  Outbox step(const Inbox& inbox, Instant now) {
+    const bool is_first = now == Instant{};
+    for (const Envelope& e : inbox) {
+      if (const auto* c = std::get_if<Command>(&e.body)) hear(*c);
+      if (const auto* g = std::get_if<WorkGrant>(&e.body)) hear(*g);
+    }
+    Outbox out;
+    out.wake = Instant{(now.time_since_epoch() / seconds{1} + 1) * seconds{1}};
+    if (is_first) out.messages.push_back(AgentInfo{id, BootId{number(id)}, vehicle(number(id))});
+    if (now.time_since_epoch() % seconds{1} != Duration::zero()) return out;
+    work(now);
+    out.messages.push_back(state());
+    if (!unbooked.empty()) {
+      out.messages.push_back(WorkReport{id, BootId{number(id)}, Epoch{1}, unbooked});
+    }
+    return out;
+  }
+};
+
+struct Run {
+  std::map<std::uint32_t, int> sprayed;
+  std::vector<Envelope> log;
+
+  std::vector<SchedulerState> states() const {
+    std::vector<SchedulerState> found;
+    for (const Envelope& e : log) {
+      if (const auto* s = std::get_if<SchedulerState>(&e.body)) found.push_back(*s);
+    }
+    return found;
+  }
+  std::vector<std::pair<Instant, Event>> events(std::string_view kind) const {
+    std::vector<std::pair<Instant, Event>> found;
+    for (const Envelope& e : log) {
+      const auto* event = std::get_if<Event>(&e.body);
+      if (event != nullptr && event->kind == kind) found.emplace_back(e.sent, *event);
+    }
+    return found;
+  }
+};
+
+// Flies until the mission is over; takes `victim` out at `killed_at`.
+Run fly(SchedulerSettings s, const Link& radio, std::uint64_t seed, std::uint32_t agents,
+        Instant killed_at = never, AgentId victim = AgentId{0}) {
+  Run run;
+  NodeHost host{radio, seed};
+  host.add(scheduler_node(), AnyNode{SchedulerNode{std::move(s)}}, Instant{});
+  for (std::uint32_t i = 1; i <= agents; ++i) {
+    host.add(node(AgentId{i}), AnyNode{Follower{AgentId{i}, &run.sprayed}}, Instant{},
+             AgentId{i} == victim ? killed_at : never);
+  }
+  while (host.next_event() < at_s(1200)) {
+    for (Envelope& e : host.advance(host.next_event() + radio.latency)) {
+      host.deliver(e);
+      run.log.push_back(std::move(e));
+    }
+    const auto* state =
+        run.log.empty() ? nullptr : std::get_if<SchedulerState>(&run.log.back().body);
+    if (state != nullptr && state->phase == MissionPhase::finished) break;
+  }
+  return run;
+}
+
+TEST_CASE("scheduler_node: every cell is sprayed once and the mission completes", "[scheduler]") {
+  const Run run = fly(settings(seconds{3}), quiet_radio, 1, 3);
+  REQUIRE(run.sprayed.size() == strips * cells_per_strip);
+  for (const auto& [cell, times] : run.sprayed) CHECK(times == 1);
+  const SchedulerState last = run.states().back();
+  CHECK(last.phase == MissionPhase::finished);
+  CHECK(last.completed);
+  CHECK(last.sprayed_cells == strips * cells_per_strip);
+  CHECK(run.events("agent_lost").empty());
+  CHECK(run.events("closure_refused").empty());
+}
+
+TEST_CASE("scheduler_node: over a lossy radio every cell is still sprayed once", "[scheduler]") {
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    CAPTURE(seed);
+    // 20 s of silence by chance: 0.2^20 a second.
+    const Run run = fly(settings(seconds{20}), bad_radio, seed, 3);
+    REQUIRE(run.sprayed.size() == strips * cells_per_strip);
+    for (const auto& [cell, times] : run.sprayed) REQUIRE(times == 1);
+    REQUIRE(run.states().back().completed);
+    REQUIRE(run.events("closure_refused").empty());
+  }
+}
+
+TEST_CASE("scheduler_node: windows stay within a piece, two ahead, with ids that rise by one",
+          "[scheduler]") {
+  const Run run = fly(settings(seconds{3}), quiet_radio, 1, 3);
+  std::map<AgentId, std::uint64_t> last;
+  for (const Envelope& e : run.log) {
+    const auto* grant = std::get_if<WorkGrant>(&e.body);
+    if (grant == nullptr) continue;
+    CHECK(grant->windows.size() <= 2);
+    for (const GrantWindow& w : grant->windows) {
+      CHECK(w.id <= last[grant->agent] + 1);
+      last[grant->agent] = std::max(last[grant->agent], w.id);
+      CHECK(w.cells.first / cells_per_strip == (end(w.cells) - 1) / cells_per_strip);
+      CHECK((w.cells.first < 30) == (grant->agent == AgentId{1}));
+    }
+  }
+  CHECK(last[AgentId{3}] == 0);
+}
+
+TEST_CASE(
+    "scheduler_node: a killed agent is lost within its lease, its cells are given up with a "
+    "reason",
+    "[scheduler]") {
+  const Run run = fly(settings(seconds{3}), quiet_radio, 1, 3, at_s(3), AgentId{1});
+  const auto lost = run.events("agent_lost");
+  REQUIRE(lost.size() == 1);
+  // Last heard of at 2.02 s, when what it said at 2 s arrived.
+  CHECK(lost[0].first == at_s(5) + Duration{20'000'000});
+  CHECK_FALSE(run.events("cells_uncertain").empty());
+  CHECK_FALSE(run.events("cells_abandoned").empty());
+
+  const SchedulerState last = run.states().back();
+  CHECK(last.phase == MissionPhase::finished);
+  CHECK_FALSE(last.completed);
+  CHECK(last.lost == std::vector{AgentId{1}});
+  CHECK(last.open_cells == 0);
+  CHECK(last.sprayed_cells + last.abandoned_cells == strips * cells_per_strip);
+  for (std::uint32_t cell = 30; cell < 60; ++cell) CHECK(run.sprayed.at(cell) == 1);
+}
+
+TEST_CASE("scheduler_node: an agent never heard of is lost after the gathering", "[scheduler]") {
+  const Run run = fly(settings(seconds{3}), quiet_radio, 1, 1);
+  const auto lost = run.events("agent_lost");
+  REQUIRE(lost.size() == 2);
+  CHECK(lost[0].first == at_s(10));
+  const SchedulerState last = run.states().back();
+  CHECK_FALSE(last.completed);
+  CHECK(last.abandoned_cells == 30);
+  CHECK(last.sprayed_cells == 30);
+}
+
+TEST_CASE("scheduler_node: one that comes back after it was lost is told nothing", "[scheduler]") {
+  SchedulerNode scheduler{settings(seconds{3})};
+  const auto say = [](std::uint32_t agent, std::uint64_t boot, Instant at) {
+    AgentState s{};
+    s.agent = AgentId{agent};
+    s.boot = BootId{boot};
+    return Envelope{node(AgentId{agent}), 1, at, s};
+  };
+  scheduler.step({}, at_s(0));
+  scheduler.step({say(1, 1, at_s(1)), say(2, 2, at_s(1)), say(3, 3, at_s(1))}, at_s(1));
+  scheduler.step({say(2, 2, at_s(3)), say(3, 3, at_s(3))}, at_s(3));
+  scheduler.step({}, at_s(4));  // 1 is lost
+  for (const std::uint64_t boot : {1u, 77u}) {
+    const Outbox out = scheduler.step({say(1, boot, at_s(5)), say(2, 2, at_s(5))}, at_s(5));
+    for (const Body& body : out.messages) {
+      const auto* command = std::get_if<Command>(&body);
+      CHECK((command == nullptr || command->agent != AgentId{1}));
+      CHECK(std::get_if<WorkGrant>(&body) == nullptr);
+    }
+  }
+}
+
+TEST_CASE("scheduler_node: says its state every two seconds and when the phase changes",
+          "[scheduler]") {
+  const Run run = fly(settings(seconds{3}), quiet_radio, 1, 3);
+  MissionPhase phase = MissionPhase::finished;
+  for (const Envelope& e : run.log) {
+    const auto* state = std::get_if<SchedulerState>(&e.body);
+    if (state == nullptr) continue;
+    const bool is_even = e.sent.time_since_epoch() % seconds{2} == Duration::zero();
+    CHECK((is_even || state->phase != phase));
+    phase = state->phase;
+  }
+  CHECK(phase == MissionPhase::finished);
+}
+
+TEST_CASE("scheduler_node: the mission is given up at its limit", "[scheduler]") {
+  SchedulerSettings s = settings(seconds{3});
+  s.mission_limit = seconds{4};
+  const Run run = fly(s, quiet_radio, 1, 3);
+  CHECK(run.events("mission_limit").size() == 1);
+  const SchedulerState last = run.states().back();
+  CHECK(last.phase == MissionPhase::finished);
+  CHECK_FALSE(last.completed);
+  CHECK(last.open_cells == 0);
+  CHECK(last.abandoned_cells > 0);
+}
+
+TEST_CASE("scheduler_node: cells that the route leaves out are reported", "[scheduler]") {
+  SchedulerSettings s = settings(seconds{3});
+  s.plan.route.missed = {at_m(5, 7), at_m(9, 7)};
+  const Run run = fly(s, quiet_radio, 1, 3);
+  REQUIRE(run.events("cells_missed").size() == 1);
+  CHECK(run.events("cells_missed")[0].second.detail.rfind("2 workable cells", 0) == 0);
+}
+
+}  // namespace
+}  // namespace furrow::scheduler

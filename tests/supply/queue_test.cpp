@@ -1,0 +1,178 @@
+#include "supply/queue.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace furrow::supply {
+namespace {
+
+using std::chrono::seconds;
+
+constexpr Instant at_s(int s) { return Instant{seconds{s}}; }
+constexpr LeaseTerms terms{.lease = seconds{3}, .clearing = seconds{2}};
+
+Station station(std::uint32_t bays) {
+  return {.id = StationId{1},
+          .position = at_m(0, 0),
+          .bays = bays,
+          .battery_swap = furrow::seconds(60.0),
+          .fill_base = furrow::seconds(20.0),
+          .fill_full = furrow::seconds(60.0)};
+}
+
+ServiceClaim claim(std::uint32_t agent, int first_claimed_s, std::uint64_t number = 1) {
+  return {.agent = AgentId{agent},
+          .boot = BootId{agent},
+          .station = StationId{1},
+          .claim = number,
+          .first_claimed = at_s(first_claimed_s),
+          .status = ClaimStatus::waiting,
+          .token = 0,
+          .swap = false,
+          .fill = 0.5};
+}
+
+ServiceClaim with(ServiceClaim c, ClaimStatus status, std::uint64_t token = 0) {
+  c.status = status;
+  c.token = token;
+  return c;
+}
+
+TEST_CASE("queue: serves by first claim, then by agent id, whatever order the claims arrive in",
+          "[supply]") {
+  BayQueue queue{station(1), terms};
+  for (const auto& c : {claim(3, 1), claim(2, 0), claim(1, 1)}) queue.hear(c, at_s(1));
+
+  const auto first = queue.advance(at_s(1));
+  REQUIRE(first.size() == 1);
+  CHECK(first[0].agent == AgentId{2});
+  CHECK(first[0].bay == 1);
+  CHECK(first[0].token == 1);
+  // Half a tank, no swap: 20 + 0.5 * (60 - 20) = 40 s.
+  CHECK(first[0].ready == at_s(41));
+  CHECK(queue.waiting()[0].agent == AgentId{1});
+  CHECK(queue.waiting()[1].agent == AgentId{3});
+
+  queue.hear(with(claim(2, 0), ClaimStatus::released, 1), at_s(2));
+  const auto second = queue.advance(at_s(2));
+  REQUIRE(second.size() == 1);
+  CHECK(second[0].agent == AgentId{1});
+  CHECK(second[0].token == 2);
+}
+
+TEST_CASE("queue: a claim that waits unrenewed is dropped when its lease ends", "[supply]") {
+  BayQueue queue{station(1), terms};
+  queue.hear(claim(1, 0), at_s(0));
+  queue.hear(claim(2, 0), at_s(0));
+  queue.advance(at_s(0));
+  queue.hear(with(claim(1, 0), ClaimStatus::in_bay, 1), at_s(2));
+  queue.advance(at_s(2));
+  CHECK(queue.waiting().size() == 1);
+  CHECK(queue.next_event() == at_s(3));
+  queue.advance(at_s(3));
+  CHECK(queue.waiting().empty());
+  CHECK(queue.in_bay().size() == 1);
+}
+
+TEST_CASE("queue: a silent holder's bay goes on at lease plus clearing, and no earlier",
+          "[supply]") {
+  BayQueue queue{station(1), terms};
+  queue.hear(claim(1, 0), at_s(0));
+  queue.advance(at_s(0));
+  for (int s = 1; s <= 4; ++s) {
+    queue.hear(claim(2, 1), at_s(s));
+    CHECK(queue.advance(at_s(s)).empty());
+  }
+  queue.hear(claim(2, 1), at_s(5));  // 3 s lease + 2 s clearing
+  const auto served = queue.advance(at_s(5));
+  REQUIRE(served.size() == 1);
+  CHECK(served[0].agent == AgentId{2});
+  CHECK(served[0].token == 2);
+  CHECK(queue.handed_out().tanks.empty());  // the first was never served to its end
+}
+
+TEST_CASE("queue: late, repeated and reordered claims of a finished visit change nothing",
+          "[supply]") {
+  BayQueue queue{station(1), terms};
+  queue.hear(claim(1, 0), at_s(0));
+  queue.advance(at_s(0));
+  queue.hear(with(claim(1, 0), ClaimStatus::released, 1), at_s(1));
+  const auto changes = queue.changes();
+  CHECK_FALSE(queue.hear(claim(1, 0), at_s(1)));
+  CHECK_FALSE(queue.hear(with(claim(1, 0), ClaimStatus::in_bay, 1), at_s(1)));
+  CHECK_FALSE(queue.hear(with(claim(1, 0), ClaimStatus::released, 1), at_s(1)));
+  CHECK(queue.advance(at_s(1)).empty());
+  CHECK(queue.in_bay().empty());
+  CHECK(queue.changes() == changes);
+}
+
+TEST_CASE("queue: a stale waiting claim after the bay was given renews the same token",
+          "[supply]") {
+  BayQueue queue{station(2), terms};
+  queue.hear(claim(1, 0), at_s(0));
+  queue.advance(at_s(0));
+  const auto again = queue.hear(claim(1, 0), at_s(1));
+  REQUIRE(again);
+  CHECK(again->bay == 1);
+  CHECK(again->token == 1);
+  CHECK(queue.advance(at_s(1)).empty());
+}
+
+TEST_CASE("queue: a newer visit ends an older one whose release was lost", "[supply]") {
+  BayQueue queue{station(1), terms};
+  queue.hear(claim(1, 0, 1), at_s(0));
+  queue.advance(at_s(0));
+  const auto fresh = queue.hear(claim(1, 1, 2), at_s(1));
+  REQUIRE(fresh);
+  CHECK(fresh->bay == 0);
+  const auto served = queue.advance(at_s(1));
+  REQUIRE(served.size() == 1);
+  CHECK(served[0].claim == 2);
+  CHECK(served[0].token == 2);
+  CHECK_FALSE(queue.hear(claim(1, 0, 1), at_s(1)));
+}
+
+TEST_CASE("queue: a restarted agent is served anew once its bay is cleared; its past is ignored",
+          "[supply]") {
+  BayQueue queue{station(1), terms};
+  queue.hear(claim(1, 0, 7), at_s(0));
+  queue.advance(at_s(0));
+  ServiceClaim reborn = claim(1, 1, 1);
+  reborn.boot = BootId{99};
+  CHECK_FALSE(queue.hear(reborn, at_s(1)));
+  queue.advance(at_s(5));
+  REQUIRE(queue.hear(reborn, at_s(5)));
+  CHECK_FALSE(queue.hear(claim(1, 0, 7), at_s(5)));
+  CHECK(queue.advance(at_s(5)).size() == 1);
+}
+
+TEST_CASE("queue: every service counts once, when it is done", "[supply]") {
+  BayQueue queue{station(1), terms};
+  ServiceClaim c = claim(1, 0);
+  c.swap = true;
+  queue.hear(c, at_s(0));
+  queue.advance(at_s(0));
+  for (int s = 1; s < 60; ++s) queue.hear(with(c, ClaimStatus::in_bay, 1), at_s(s));
+  queue.advance(at_s(59));
+  CHECK(queue.handed_out().swaps == 0);
+  CHECK(queue.next_event() == at_s(60));  // max(60, 40) s
+  queue.advance(at_s(60));
+  queue.hear(with(c, ClaimStatus::released, 1), at_s(61));
+  queue.hear(with(c, ClaimStatus::released, 1), at_s(62));
+  queue.advance(at_s(62));
+  CHECK(queue.handed_out().swaps == 1);
+  CHECK(queue.handed_out().tanks.at(AgentId{1}) == 0.5);
+}
+
+TEST_CASE("queue: claims for another station or out of range are refused", "[supply]") {
+  BayQueue queue{station(1), terms};
+  ServiceClaim elsewhere = claim(1, 0);
+  elsewhere.station = StationId{2};
+  ServiceClaim flood = claim(1, 0);
+  flood.fill = 1.5;
+  CHECK_FALSE(queue.hear(elsewhere, at_s(0)));
+  CHECK_FALSE(queue.hear(flood, at_s(0)));
+  CHECK(queue.advance(at_s(0)).empty());
+}
+
+}  // namespace
+}  // namespace furrow::supply
