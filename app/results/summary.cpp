@@ -113,6 +113,14 @@ double open_valve_s(const std::vector<TrackPoint>& track) {
   return seconds(open).base();
 }
 
+// When the valve last closed, as far as the track goes; 0 if it never opened.
+double last_open_s(const std::vector<TrackPoint>& track) {
+  for (std::size_t i = track.size(); i > 0; --i) {
+    if (track[i - 1].spraying) return seconds(track[std::min(i, track.size() - 1)].at).base();
+  }
+  return 0;
+}
+
 double flown_outside_m(const Field& field, const Flown& flown) {
   double sum_m = 0;
   for (const FlownUav& uav : flown.uavs) {
@@ -177,6 +185,8 @@ UavFigures flown_figures(const FlownUav& flown, const scheduler::UavPlan& uav, b
     f.spray_ended_s = f.sorties.back().spray_ended_s;
     f.landed_s = f.sorties.back().landed_s;
   }
+  // A sortie that never ended has no report.
+  f.spray_ended_s = std::max(f.spray_ended_s, last_open_s(flown.track));
   f.deviation = {.truth = spread(flown.truth), .fix = spread(flown.fix)};
   return f;
 }

@@ -158,7 +158,7 @@ void draw_mark(Svg& svg, const Scale& scale, double height, double t_s, std::str
   const double x = scale.x(t_s);
   svg.line({x, y + 3}, {x, height - bottom}, {.stroke = ink, .width = 1.1, .dash = dash});
   const double shift = anchor == "end" ? -3 : 3;
-  svg.text({x + shift, y + 9}, label, {.size = 10, .anchor = anchor, .fill = ink});
+  svg.text({x + shift, y + 9}, label, {.size = 10, .anchor = anchor, .fill = ink, .halo = true});
 }
 
 std::string picture(const std::vector<Row>& rows, const Scale& scale, const FleetFigures& fleet,

@@ -42,7 +42,7 @@ class Panels {
     for (const bool spraying : {false, true}) {
       for (std::size_t i = 0; i < flown_.uavs.size(); ++i) {
         svg.path(track(flown_.uavs[i].track, spraying), false,
-                 {.stroke = uav_colour(i),
+                 {.stroke = spraying ? uav_colour(i) : "#4a4a44",
                   .width = spraying ? line_width(0.42) : 0.6,
                   .opacity = spraying ? 1 : 0.55});
       }
@@ -54,7 +54,7 @@ class Panels {
   }
 
   std::string accuracy() const {
-    Svg svg = land_panel(view_, record_.scenario, "Off the line, and missed");
+    Svg svg = land_panel(view_, record_.scenario, "Off the line");
     draw_offsets(svg);
     draw_cells(svg, route_.missed, alarm);
     draw_cells(svg, cells_where([&](std::uint32_t i) { return flown_.proofs[i] == 0; }), alarm);

@@ -44,22 +44,23 @@ table{width:100%;border-collapse:collapse;margin:6px 0 4px;font-size:13px}
 th{padding:4px 8px;text-align:right;font-weight:600;font-size:12px;color:var(--faint);
  border-bottom:1px solid #b9c4be;vertical-align:bottom}
 td{padding:3.5px 8px;text-align:right;border-bottom:1px solid #edf0ee;vertical-align:top}
-th.words,td.words{text-align:left;overflow-wrap:anywhere}
+td{white-space:nowrap}
+th.words,td.words{text-align:left;white-space:normal;overflow-wrap:break-word}
 tr{break-inside:avoid}
 tr.total td{font-weight:600;background:#f4f7f5}
 tr.bad td{color:#b3261e}
-table.tight{font-size:12px}table.tight td,table.tight th{padding:2.5px 6px}
+table.narrow{width:auto;min-width:62%;break-inside:avoid}table.tight{font-size:12px}table.tight td,table.tight th{padding:2.5px 6px}
 .two{display:grid;grid-template-columns:1fr 1fr;gap:0 34px;align-items:start}
 .note{margin:4px 0 8px;font-size:12px;color:var(--faint)}
 footer{padding:26px 38px 0;font-size:12px;color:var(--faint)}
-@media(max-width:760px){.cards{grid-template-columns:1fr 1fr}.two,.charts{grid-template-columns:1fr}
+@media screen and (max-width:760px){.cards{grid-template-columns:1fr 1fr}.two,.charts{grid-template-columns:1fr}
  section,header{padding-left:16px;padding-right:16px}table{display:block;overflow-x:auto}}
 @page{size:A4;margin:12mm}
 @media print{html{background:#fff}body{max-width:none;padding:0;font-size:11px}
  header{padding:10px 14px}section{padding:8px 0 0}h2,h3{break-after:avoid}
  .cards{gap:6px}.card{padding:5px 9px}.card strong{font-size:17px}.card span,.card b{font-size:10px}
- table,table.tight{font-size:9.5px}th{font-size:9px}td,table.tight td{padding:1.5px 4px}
- .maps{gap:8px}.legend,.note{font-size:10px}footer{padding:10px 0 0}}
+ table,table.narrow{width:auto;min-width:62%;break-inside:avoid}table.tight{font-size:9.5px}th{font-size:9px}td,table.tight td{padding:1.5px 4px}
+ .maps{gap:8px}.maps svg{max-height:158mm}.legend,.note{font-size:10px}footer{padding:10px 0 0}}
 )css";
 
 }  // namespace furrow::app

@@ -19,7 +19,7 @@ inline constexpr std::string_view ink = "#22302a";
 inline constexpr std::string_view faint_ink = "#6b7a72";
 inline constexpr std::string_view rule_line = "#d9e0dc";
 inline constexpr std::string_view alarm = "#b3261e";
-inline constexpr std::string_view waiting = "#c9a400";
+inline constexpr std::string_view waiting = "#efe3a8";
 inline constexpr std::string_view serving = "#5b6770";
 
 /// How far off the line, from nothing to half a swath and more.

@@ -79,7 +79,7 @@ std::string expectation_table(const Result& r) {
                bound(e.max), e.met ? "✓ met" : "✗ missed"},
               e.met ? "good" : "bad");
   }
-  return table.empty() ? "" : table.markup();
+  return table.empty() ? "" : table.markup("narrow");
 }
 
 std::string optimum_table(const Result& r) {
@@ -98,7 +98,7 @@ std::string optimum_table(const Result& r) {
       {"Last cell, min", minutes2(r.fleet.planned_makespan_s), minutes2(r.fleet.lower_bound_s),
        r.fleet.lower_bound_s > 0 ? percent(r.fleet.planned_makespan_s / r.fleet.lower_bound_s - 1)
                                  : ""});
-  return table.markup() +
+  return table.markup("narrow") +
          fmt::format(
              "<p class=\"note\">Return points by {}{}, {} evaluations. Non-spray time is round "
              "trips and services without waits, the last way home left out.</p>",
@@ -134,7 +134,7 @@ std::string deviation_table(const Result& r) {
   };
   for (const UavFigures& u : r.uavs) row(fmt::format("UAV {}", u.id), u.deviation, "");
   row("Fleet", r.deviation, "total");
-  return table.markup() +
+  return table.markup("narrow") +
          fmt::format(
              "<p class=\"note\">From the true tracks: {} wetted, {} of workable land left "
              "dry, {} wetted again, {} outside the field; flown outside: {:.0f} m.</p>",
@@ -143,9 +143,9 @@ std::string deviation_table(const Result& r) {
 }
 
 std::string sortie_table(const Result& r) {
-  HtmlTable table{"UAV",        "Sortie",        "Began, min",  "Start, m",  "Return, m",
-                  "Sprayed, m", "Round trip, m", "Flight, min", "Pack",      "Used",
-                  "Waited, s",  "Swap, s",       "Fill, s",     "<Served at"};
+  HtmlTable table{"UAV",        "Sortie",        "Began, min",  "Start, m", "Return, m",
+                  "Sprayed, m", "Round trip, m", "Flight, min", "Pack",     "Used",
+                  "Waited, s",  "Swap, s",       "Fill, s",     "Station",  "Bay"};
   for (const UavFigures& u : r.uavs) {
     std::size_t number = 0;
     for (const SortieFigures& s : u.sorties) {
@@ -155,8 +155,8 @@ std::string sortie_table(const Result& r) {
                  is_served ? fmt::format("{:.1f}", s.round_trip_m) : "", minutes(s.flight_s),
                  fmt::format("{}", s.pack), fmt::format("{:.1f} %", 100 * s.battery_used),
                  is_served ? whole(s.wait_s) : "", is_served ? whole(s.battery_swap_s) : "",
-                 is_served ? whole(s.fill_s) : "",
-                 is_served ? fmt::format("station {}, bay {}", s.station, s.bay) : "last"});
+                 is_served ? whole(s.fill_s) : "", is_served ? fmt::format("{}", s.station) : "",
+                 is_served ? fmt::format("{}", s.bay) : ""});
     }
   }
   return table.empty() ? "" : table.markup("tight");
