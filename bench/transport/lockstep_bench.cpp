@@ -1,5 +1,5 @@
-// Rounds of granted time per second, over as many processes of agents as the argument says, with a
-// scheduler and one station (1 agent) or two (20). Messages per round are printed beside.
+// Rounds of granted time per second: so many agents, so many in each process, beside a scheduler
+// and one station, or two for more than eight agents.
 
 #include "tests/transport/toy_run.hpp"
 
@@ -12,7 +12,8 @@ void lockstep(benchmark::State& state) {
   const auto lock = transport::DomainLock::any_free();
   const auto agents = static_cast<std::uint32_t>(state.range(0));
   const toy::Run run{.fleet = {.agents = agents, .stations = agents > 8 ? 2u : 1u, .seconds = 60},
-                     .domain = lock->domain()};
+                     .domain = lock->domain(),
+                     .agents_per_process = static_cast<std::uint32_t>(state.range(1))};
   std::uint64_t rounds = 0;
   double messages = 0;
   for (auto _ : state) {
@@ -36,10 +37,17 @@ void lockstep(benchmark::State& state) {
   state.counters["rounds/s"] =
       benchmark::Counter(static_cast<double>(rounds), benchmark::Counter::kIsRate);
   state.counters["messages/round"] = messages / static_cast<double>(rounds);
-  state.counters["x_real_time"] = benchmark::Counter(
-      60.0 * static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
+  state.counters["x_real_time"] = benchmark::Counter(60.0 * static_cast<double>(state.iterations()),
+                                                     benchmark::Counter::kIsRate);
 }
-BENCHMARK(lockstep)->Arg(1)->Arg(8)->Arg(20)->UseManualTime()->Unit(benchmark::kSecond);
+BENCHMARK(lockstep)
+    ->ArgNames({"agents", "per_process"})
+    ->Args({1, 1})
+    ->Args({8, 1})
+    ->Args({20, 1})
+    ->Args({20, 10})
+    ->UseManualTime()
+    ->Unit(benchmark::kSecond);
 
 }  // namespace
 }  // namespace furrow
