@@ -106,31 +106,39 @@ class GrantedDirector {
 
   std::optional<TransportError> gather() {
     const auto end = WallClock::now() + settings_.start_timeout;
-    std::map<std::uint32_t, TimeRequest> hellos;
     for (;;) {
       for (TimeRequest& hello : incoming_.take_notes(1, slice)) {
-        hellos[hello.member()] = std::move(hello);
+        hellos_[hello.member()] = std::move(hello);
       }
-      const auto missing = std::find_if(
-          settings_.members.begin(), settings_.members.end(), [&](const MemberPlan& m) {
-            return !hellos.contains(m.participant) || !is_complete(m, hellos[m.participant]) ||
-                   grants_[m.participant].matched() == 0;
-          });
-      if (missing == settings_.members.end() && is_recorder_complete()) break;
+      const auto missing = who_is_missing();
+      if (!missing && is_recorder_complete()) break;
       for (const std::uint32_t dead : watch_.new_deaths()) {
         return TransportError{text(plan(dead)) + " ended before the start"};
       }
       if (watch_.is_interrupted()) return TransportError{"interrupted before the start"};
-      if (WallClock::now() > end && missing != settings_.members.end()) {
-        return TransportError{text(*missing) +
-                              (hellos.contains(missing->participant)
-                                   ? " does not hear all of the others within "
-                                   : " did not come within ") +
-                              std::to_string(settings_.start_timeout.count() / 1000) + " s"};
+      if (WallClock::now() > end) {
+        return TransportError{missing.value_or("the recorder does not hear every member") +
+                              " within " + std::to_string(settings_.start_timeout.count() / 1000) +
+                              " s"};
       }
     }
-    for (const auto& [participant, hello] : hellos) {
-      clock_.report(participant, Instant{Duration{hello.next_event_ns()}});
+    for (const MemberPlan& member : settings_.members) {
+      const std::int64_t next_ns = hellos_[member.participant].next_event_ns();
+      clock_.report(member.participant, Instant{Duration{next_ns}});
+    }
+    return std::nullopt;
+  }
+
+  // Those who have not come at all before those who only wait for them.
+  std::optional<std::string> who_is_missing() {
+    for (const MemberPlan& member : settings_.members) {
+      if (!hellos_.contains(member.participant)) return text(member) + " did not come";
+    }
+    for (const MemberPlan& member : settings_.members) {
+      const bool is_heard = grants_[member.participant].matched() > 0;
+      if (!is_heard || !is_complete(member, hellos_[member.participant])) {
+        return text(member) + " does not hear all of the others";
+      }
     }
     return std::nullopt;
   }
@@ -270,6 +278,7 @@ class GrantedDirector {
   GrantedClock clock_;
   FleetTopics topics_;
   std::map<std::uint32_t, Writer<TimeGrant>> grants_;
+  std::map<std::uint32_t, TimeRequest> hellos_;
   std::set<std::uint32_t> awaited_;
   std::map<std::uint32_t, Instant> reports_;
   std::uint64_t round_ = 0;

@@ -1,5 +1,6 @@
 #include "transport/process.hpp"
 
+#include <cerrno>
 #include <csignal>
 #include <cstring>
 #include <thread>
@@ -18,6 +19,11 @@ int code_of(int status) { return WIFEXITED(status) ? WEXITSTATUS(status) : 128 +
 
 // Between fork and exec: only calls that are safe in a process with other threads.
 [[noreturn]] void become(char* const* argv, pid_t parent) {
+  // The parent's handlers are not the child's, and all signals are blocked here.
+  for (int number = 1; number < NSIG; ++number) ::signal(number, SIG_DFL);
+  sigset_t none;
+  ::sigemptyset(&none);
+  ::sigprocmask(SIG_SETMASK, &none, nullptr);
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(127);  // the parent ended before it could be watched
   ::execve(argv[0], argv, environ);
@@ -35,8 +41,12 @@ Expected<Process, TransportError> Process::spawn(const std::vector<std::string>&
   for (const auto& a : argv) arguments.push_back(const_cast<char*>(a.c_str()));
   arguments.push_back(nullptr);
   const pid_t parent = ::getpid();
+  sigset_t all, before;
+  ::sigfillset(&all);
+  ::pthread_sigmask(SIG_SETMASK, &all, &before);
   const pid_t pid = ::fork();
   if (pid == 0) become(arguments.data(), parent);
+  ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
   if (pid < 0) {
     return Unexpected{TransportError{"cannot start `" + argv[0] + "`: " + std::strerror(errno)}};
   }

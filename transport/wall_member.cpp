@@ -8,6 +8,8 @@
 #include <chrono>
 #include <csignal>
 
+#include <spdlog/spdlog.h>
+
 namespace furrow::transport {
 namespace {
 
@@ -70,7 +72,9 @@ class WallMember {
     const std::vector<Envelope> sent = host_.advance(limit);
     reached_ = limit;
     for (const Envelope& envelope : sent) {
-      topics_.publish(envelope);
+      if (topics_.publish(envelope) == 0) {
+        spdlog::warn("{} of {} could not be sent", topic(envelope.body), text(envelope.from));
+      }
       take(envelope, limit);
     }
   }

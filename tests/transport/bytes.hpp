@@ -17,10 +17,12 @@ inline std::string bytes(const Envelope& envelope) {
   [&]<std::size_t... topic>(std::index_sequence<topic...>) {
     const auto one = [&]<std::size_t i>(std::integral_constant<std::size_t, i>) {
       if (envelope.body.index() != i) return;
-      eprosima::fastcdr::FastBuffer buffer;
+      const auto sample = transport::encoded<i>(envelope, BootId{9});
+      // Zeroed first, for alignment leaves gaps.
+      result.assign(std::decay_t<decltype(sample)>::getCdrSerializedSize(sample), '\0');
+      eprosima::fastcdr::FastBuffer buffer{result.data(), result.size()};
       eprosima::fastcdr::Cdr cdr{buffer};
-      transport::encoded<i>(envelope, BootId{9}).serialize(cdr);
-      result.assign(buffer.getBuffer(), cdr.getSerializedDataLength());
+      sample.serialize(cdr);
     };
     (one(std::integral_constant<std::size_t, topic>{}), ...);
   }

@@ -1,13 +1,12 @@
 // A process of the toy fleet, for the tests of the transport and its benchmark.
 //
 // transport_member DOMAIN RUN PARTICIPANT AGENTS STATIONS SECONDS EPOCH_NS FROM TO
-// hosts the nodes FROM .. TO - 1 of the fleet's list; EPOCH_NS 0 is granted time. On the wall clock
-// it prints a line for each peer that it loses.
+// hosts the nodes FROM .. TO - 1 of the fleet's list; EPOCH_NS 0 is granted time. PARTICIPANT 0 is
+// the director of such a fleet with one agent in each process.
 
-#include "toy_fleet.hpp"
+#include "toy_run.hpp"
 #include "transport/member.hpp"
 
-#include <cstdio>
 #include <cstdlib>
 #include <string>
 
@@ -20,6 +19,14 @@ int main(int argc, char** argv) {
   const toy::Fleet fleet{
       .agents = count_at(4), .stations = count_at(5), .seconds = static_cast<int>(number_at(6))};
   const std::int64_t epoch_ns = number_at(7);
+  if (count_at(3) == transport::director_participant) {
+    const toy::Run run{.fleet = fleet, .domain = count_at(1), .name = argv[2]};
+    return transport::run_director({.network = toy::network(run),
+                                    .members = toy::plans(run),
+                                    .latency = toy::bad_radio.latency})
+               ? 0
+               : 1;
+  }
   const bool wall = epoch_ns != 0;
   const Link at_once{.latency = Duration{1}, .jitter = {}, .loss = 0, .duplication = 0};
 
@@ -35,9 +42,5 @@ int main(int argc, char** argv) {
     toy::add(host, fleet, all[i], first);
   }
   if (wall) settings.epoch_realtime_ns = epoch_ns;
-  settings.peer_lost = [](std::uint32_t participant) {
-    std::printf("lost %u\n", participant);
-    std::fflush(stdout);
-  };
   return transport::run_member(settings, std::move(host));
 }

@@ -120,12 +120,14 @@ struct Agent {
   std::uint32_t stations;
   Memory memory{};
   std::uint64_t claims = 0;
+  Instant due{};
 
   Outbox step(const Inbox& inbox, Instant now) {
     memory.hear(inbox, now);
+    if (now < due) return {.messages = {}, .wake = due};
     // Agents step at times of their own, so that rounds of one member alone occur as well.
-    const Instant wake = next_second(now) + number(id) * Duration{3'000'000};
-    Outbox out{.messages = {}, .wake = wake};
+    due = next_second(now) + number(id) * Duration{3'000'000};
+    Outbox out{.messages = {}, .wake = due};
     AgentState state{};
     state.agent = id;
     state.boot = BootId{1};
