@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace furrow::planner {
 namespace {
@@ -57,12 +56,13 @@ std::vector<double> ShareCode::encoded(std::span<const std::uint32_t> returns,
   return shares;
 }
 
-FoundReturns gsa_returns(const ReturnProblem& problem, const GsaReturnsSettings& settings,
-                         ReturnObjective& objective) {
+std::vector<FoundReturns> gsa_returns(const ReturnProblem& problem,
+                                      const GsaReturnsSettings& settings,
+                                      ReturnObjective& objective) {
   const auto simple = simple_plan(problem);
   require(simple.has_value(), "returns are searched where there are some");
   const std::size_t variables = simple->returns.size();
-  if (variables == 0) return {.returns = {}, .objective_s = objective({})};
+  if (variables == 0) return {{.returns = {}, .objective_s = objective({})}};
 
   const ShareCode code{problem, objective.cost()};
   Returns returns;
@@ -76,7 +76,7 @@ FoundReturns gsa_returns(const ReturnProblem& problem, const GsaReturnsSettings&
           },
       .repair = {},
       .starts = {std::vector<double>(variables, 1.0), code.encoded(simple->returns, variables)}};
-  FoundReturns best{.returns = {}, .objective_s = std::numeric_limits<double>::infinity()};
+  std::vector<FoundReturns> found;
   for (std::uint32_t i = 0; i < settings.searches; ++i) {
     const GsaResult result = gsa_minimum(search, {.masses = settings.masses,
                                                   .iterations = settings.iterations,
@@ -84,11 +84,13 @@ FoundReturns gsa_returns(const ReturnProblem& problem, const GsaReturnsSettings&
                                                   .alpha = alpha,
                                                   .seed = seed_for(settings.seed, {i})});
     search.starts.clear();
-    if (result.value >= best.objective_s) continue;
-    best.objective_s = result.value;
-    code.decode(result.best, best.returns);
+    code.decode(result.best, returns);
+    found.push_back({.returns = returns, .objective_s = result.value});
   }
-  return best;
+  std::stable_sort(found.begin(), found.end(), [](const FoundReturns& a, const FoundReturns& b) {
+    return a.objective_s < b.objective_s;
+  });
+  return found;
 }
 
 }  // namespace furrow::planner

@@ -33,7 +33,7 @@ class ShareCode {
 
 struct GsaReturnsSettings {
   std::uint32_t masses, iterations;  ///< Of one search, masses >= 1.
-  std::uint32_t searches;            ///< From independent starts, >= 1; the best result counts.
+  std::uint32_t searches;            ///< From independent starts, >= 1.
   std::uint64_t seed;
 };
 
@@ -42,7 +42,8 @@ struct FoundReturns {
   double objective_s;
 };
 
-/// Return points by the gravitational search algorithm over the points of a `ShareCode`.
+/// Return points by the gravitational search algorithm over the points of a `ShareCode`: the
+/// result of each search, the best first.
 ///
 /// One variable for each return of the simple plan. The number of returns is not fixed: it follows
 /// from the shares, from the count of the unplanned plan (all shares 1) upwards. Masses start
@@ -52,7 +53,8 @@ struct FoundReturns {
 /// @pre A feasible plan exists, see `infeasibility`.
 ///
 /// Source: Wang et al. 2017, section 2.3, for the objective; the encoding is this project's own.
-FoundReturns gsa_returns(const ReturnProblem& problem, const GsaReturnsSettings& settings,
-                         ReturnObjective& objective);
+std::vector<FoundReturns> gsa_returns(const ReturnProblem& problem,
+                                      const GsaReturnsSettings& settings,
+                                      ReturnObjective& objective);
 
 }  // namespace furrow::planner

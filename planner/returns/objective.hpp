@@ -14,8 +14,8 @@ class ReturnObjective {
   /// Keeps references to both arguments.
   ReturnObjective(const ReturnProblem& problem, const ExtraCost& extra);
 
-  /// Infeasible returns cost their excess and a step more than any saving by them, so that a search
-  /// may pass through them and not end there.
+  /// Infeasible returns cost their excess and a step besides, but no extra cost: nobody knows how a
+  /// plan that cannot be flown would queue. Compare them with feasible ones by `is_feasible` first.
   /// @param returns  Strictly rising, below the last cell.
   double operator()(std::span<const std::uint32_t> returns);
 
