@@ -11,8 +11,8 @@
 namespace furrow::planner {
 namespace {
 
-// Found on the 700 x 100 m field of Wang et al. 2017 with N = 50, T = 600, 40 seeds: the mean of
-// one search is within 1 % for G0 from 5 to 60, and rises with alpha = 20.
+// Tried on the 700 x 100 m field of Wang et al. 2017 with N = 50, T = 600, 40 seeds: the mean of
+// one search is 18.84 to 18.87 min for G0 from 5 to 60, and 18.93 to 19.45 min with alpha = 20.
 constexpr double g0 = 20.0, alpha = 10.0;
 constexpr double least_share = 0.5;
 
@@ -30,7 +30,7 @@ ShareCode::ShareCode(const ReturnProblem& problem, const ReturnCost& cost) : cos
 void ShareCode::decode(std::span<const double> shares, Returns& returns) const {
   returns.clear();
   std::uint32_t at = 0;
-  for (std::uint32_t reach; (reach = cost_.reach(at)) < cost_.last_cell();) {
+  for (std::uint32_t reach; (reach = std::max(cost_.reach(at), at + 1)) < cost_.last_cell();) {
     const double share = returns.size() < shares.size() ? shares[returns.size()] : 1.0;
     const double target = weight_[at] + share * (weight_[reach] - weight_[at]);
     const auto from = weight_.begin() + at + 1, to = weight_.begin() + reach;
@@ -46,7 +46,7 @@ std::vector<double> ShareCode::encoded(std::span<const std::uint32_t> returns,
   std::vector<double> shares(size, 1.0);
   std::uint32_t at = 0;
   for (std::size_t n = 0; n < std::min(size, returns.size()); ++n) {
-    const double whole = weight_[cost_.reach(at)] - weight_[at];
+    const double whole = weight_[std::max(cost_.reach(at), at + 1)] - weight_[at];
     // Half a cell short of the cell: safe against rounding either way.
     const std::uint32_t cell = returns[n];
     const double target = 0.5 * (weight_[cell] + weight_[cell - 1]);

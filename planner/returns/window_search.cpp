@@ -41,8 +41,8 @@ class Table {
  private:
   void leave(std::size_t from) {
     const std::uint32_t first = stops_[from];
-    const auto labels = labels_.begin() + static_cast<long>(from * buckets);
-    if (std::none_of(labels, labels + buckets, [](const Label& l) { return l.exists(); })) return;
+    const double least_s = gather_live(from);
+    if (live_.empty()) return;
     for (std::size_t to = from + 1; to < stops_.size(); ++to) {
       const std::uint32_t last = stops_[to];
       if (last > cost_.tank_reach(first)) break;
@@ -51,11 +51,10 @@ class Table {
       const double spray_m = cost_.spray_m(first, last);
       const double trip_s = 2.0 * cost_.home_s(first);
       const double kept_s = trip_s + cost_.service_s(spray_m, false);
+      if (is_hopeless(last, least_s + kept_s)) continue;
       const double fresh_s = trip_s + cost_.service_s(spray_m, true);
-      for (std::size_t b = 0; b < buckets; ++b) {
-        const auto parent = static_cast<std::uint32_t>(from * buckets + b);
+      for (const std::uint32_t parent : live_) {
         const Label& l = labels_[parent];
-        if (!l.exists()) continue;
         const bool swap = l.used_s + flight_s > cost_.limits().pack_s;
         offer(to, {.cost_s = l.cost_s + (swap ? fresh_s : kept_s),
                    .used_s = swap ? flight_s : l.used_s + flight_s,
@@ -64,10 +63,26 @@ class Table {
     }
   }
 
+  // The labels at a stop into `live_`; returns the least cost among them.
+  double gather_live(std::size_t stop) {
+    live_.clear();
+    double least_s = std::numeric_limits<double>::infinity();
+    for (std::size_t i = stop * buckets; i < (stop + 1) * buckets; ++i) {
+      if (!labels_[i].exists()) continue;
+      live_.push_back(static_cast<std::uint32_t>(i));
+      least_s = std::min(least_s, labels_[i].cost_s);
+    }
+    return least_s;
+  }
+
+  // Whether no plan that lands at `cell` for this cost beats the cutoff.
+  bool is_hopeless(std::uint32_t cell, double cost_s) const {
+    const double landing_s = cell == cost_.last_cell() ? 0.0 : cost_.home_s(cell);
+    return cost_s + landing_s + free_.after_s[cell] >= cutoff_s_;
+  }
+
   void offer(std::size_t to, const Label& label) {
-    const std::uint32_t at = stops_[to];
-    const double landing_s = at == cost_.last_cell() ? 0.0 : cost_.home_s(at);
-    if (label.cost_s + landing_s + free_.after_s[at] >= cutoff_s_) return;
+    if (is_hopeless(stops_[to], label.cost_s)) return;
     const double share = label.used_s / cost_.limits().pack_s;
     const auto b = std::min(static_cast<std::size_t>(share * buckets), buckets - 1);
     Label& kept = labels_[to * buckets + b];
@@ -91,6 +106,7 @@ class Table {
   double cutoff_s_;
   std::vector<std::uint32_t> stops_;  // candidates, then the last cell
   std::vector<Label> labels_;         // by stop, by bucket
+  std::vector<std::uint32_t> live_;   // labels of the stop that is being left
 };
 
 }  // namespace

@@ -67,6 +67,13 @@ TEST_CASE("A refinement that may judge no move still searches its windows, and n
   CHECK(refined(field_a(), start, objective, 0).objective_s < objective(start));
 }
 
+TEST_CASE("Returns that no tank lasts for are mended, whatever the extra cost of those that work") {
+  const ExtraCost extra = [](const ReturnPlan&) { return 1e7; };
+  ReturnObjective objective{field_a(), extra};
+  CHECK_FALSE(objective.is_feasible(Returns{9000}));
+  CHECK(objective.is_feasible(refined(field_a(), {9000}, objective).returns));
+}
+
 TEST_CASE("Windows hold the cells around each return and the strip ends, once each") {
   const std::vector<std::uint32_t> returns = {5, 12}, ends = {0, 9, 10, 20};
   // Around 5: 1 3 5 7 9; around 12: 8 10 12 14 16; the ends 9 and 10 besides, first and last not.
