@@ -20,7 +20,7 @@ std::string required(const ExpectationFigures& e) {
 
 std::vector<std::pair<std::string, double>> figures(const Result& r) {
   const double all_uavs = static_cast<double>(r.uavs.size());
-  return {
+  std::vector<std::pair<std::string, double>> all{
       {"completed", r.completed ? 1 : 0},
       {"partial", r.partial ? 1 : 0},
       {"field.area_m2", r.field.area_m2},
@@ -54,7 +54,6 @@ std::vector<std::pair<std::string, double>> figures(const Result& r) {
       {"solver.swaps", r.solver.swaps},
       {"solver.non_spray_s", r.solver.non_spray_s},
       {"solver.lower_bound_s", r.solver.lower_bound_s},
-      {"solver.gap", r.solver.gap},
       {"solver.evaluations", static_cast<double>(r.solver.evaluations)},
       {"deviation.rms_m", r.deviation.truth.rms_m},
       {"deviation.max_m", r.deviation.truth.max_m},
@@ -65,6 +64,8 @@ std::vector<std::pair<std::string, double>> figures(const Result& r) {
       {"laws.violations", static_cast<double>(r.violations.size())},
       {"log.messages", static_cast<double>(r.log.messages)},
   };
+  if (r.solver.gap) all.emplace_back("solver.gap", *r.solver.gap);
+  return all;
 }
 
 std::vector<ExpectationFigures> judged(const std::vector<mission::Expectation>& expectations,

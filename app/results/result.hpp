@@ -103,7 +103,7 @@ struct SolverFigures {
   std::optional<double> optimum_s;  ///< Where every UAV's is proven.
   double lower_bound_s;
   bool proven;
-  double gap;
+  std::optional<double> gap;  ///< None without a bound.
   std::uint64_t evaluations;
   double wall_s;
 };

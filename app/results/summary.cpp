@@ -25,7 +25,10 @@ double cell_area_m2(const MissionRecord& record) {
   return record.plan.route.cell.base() * record.plan.route.cell.base();
 }
 
-double ratio_gap(double value, double bound) { return bound > 0 ? value / bound - 1 : 0; }
+std::optional<double> ratio_gap(double value, double bound) {
+  if (bound > 0) return value / bound - 1;
+  return value == 0 ? std::optional{0.0} : std::nullopt;
+}
 
 FieldFigures field_figures(const MissionRecord& record) {
   const planner::Route& route = record.plan.route;
@@ -197,7 +200,7 @@ FleetFigures fleet_figures(const MissionRecord& record, const Flown& flown, cons
   f.makespan_s = is_flown ? flown.last_spray_s : record.plan.makespan_s;
   f.planned_makespan_s = record.plan.makespan_s;
   f.lower_bound_s = record.plan.lower_bound_s;
-  f.gap = ratio_gap(f.makespan_s, f.lower_bound_s);
+  f.gap = ratio_gap(f.makespan_s, f.lower_bound_s).value_or(0);
   for (const UavFigures& uav : result.uavs) {
     f.spray_s += uav.spray_s;
     f.non_spray_s += uav.non_spray_s;

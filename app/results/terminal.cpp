@@ -22,6 +22,11 @@ std::string state(const Result& r) {
   return r.completed ? "completed" : "NOT COMPLETED";
 }
 
+std::string distance_to_bound(const SolverFigures& s) {
+  if (!s.gap) return "no bound known";
+  return fmt::format("{:.2f} % above {}", 100 * *s.gap, s.proven ? "the optimum" : "the bound");
+}
+
 std::string uav_rows(const Result& r) {
   std::string rows =
       fmt::format("{:>5} {:>7} {:>8} {:>8} {:>10} {:>11} {:>9} {:>10} {:>10}\n", "UAV", "strips",
@@ -60,9 +65,9 @@ std::string summary_table(const Result& r) {
                   r.coverage.outside_m2);
   table += fmt::format(
       "last cell {:.2f} min, planned {:.2f}, no plan below {:.2f}; returns by {}: "
-      "{:.2f} % above {}\n",
+      "{}\n",
       r.fleet.makespan_s / 60, r.fleet.planned_makespan_s / 60, r.fleet.lower_bound_s / 60,
-      r.solver.returns, 100 * r.solver.gap, r.solver.proven ? "the optimum" : "the bound");
+      r.solver.returns, distance_to_bound(r.solver));
   for (const ExpectationFigures& e : r.expectations) {
     if (!e.met) table += cut("missed: " + e.message);
   }

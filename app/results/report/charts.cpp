@@ -60,8 +60,8 @@ std::string histogram(const std::vector<Pass>& passes) {
   constexpr std::size_t bins = 41;  // odd: one of them is centred on the line
   std::vector<double> sizes;
   for (const Pass& pass : passes) sizes.push_back(std::abs(pass.offset_m));
-  // The outermost 0.2 % go to the outermost bins, so that one excursion does not flatten the rest.
-  const auto rank = static_cast<std::ptrdiff_t>(static_cast<double>(sizes.size() - 1) * 0.998);
+  // The outermost 1 % go to the outermost bins, so that one excursion does not flatten the rest.
+  const auto rank = static_cast<std::ptrdiff_t>(static_cast<double>(sizes.size() - 1) * 0.99);
   std::nth_element(sizes.begin(), sizes.begin() + rank, sizes.end());
   const double reach_m = std::max(sizes[static_cast<std::size_t>(rank)], 0.001);
 

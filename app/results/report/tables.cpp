@@ -12,6 +12,9 @@ std::string minutes(double t_s) { return fmt::format("{:.1f}", t_s / 60); }
 std::string minutes2(double t_s) { return fmt::format("{:.2f}", t_s / 60); }
 std::string whole(double value) { return fmt::format("{:.0f}", value + 0.0); }
 std::string percent(double share) { return fmt::format("{:.2f} %", 100 * share); }
+std::string percent(const std::optional<double>& share) {
+  return share ? percent(*share) : std::string{"no bound"};
+}
 std::string centimetres(double length_m) { return fmt::format("{:.1f}", 100 * length_m); }
 std::string place(FieldPoint p) { return fmt::format("{:.1f}, {:.1f}", p.x.base(), p.y.base()); }
 
@@ -110,7 +113,9 @@ std::string uav_table(const Result& r) {
       "UAV", "Strips",  "Area, ha",    "Sorties",          "Non-spray plan, min", "Bound, min",
       "Gap", "<Proven", "Waited, min", "Planned end, min", "Last cell, min",      "Ferried, km"};
   for (const UavFigures& u : r.uavs) {
-    const double gap = u.lower_bound_s > 0 ? u.planned_non_spray_s / u.lower_bound_s - 1 : 0;
+    const bool is_bounded = u.lower_bound_s > 0 || u.planned_non_spray_s == 0;
+    const double over = u.lower_bound_s > 0 ? u.planned_non_spray_s / u.lower_bound_s - 1 : 0;
+    const auto gap = is_bounded ? std::optional{over} : std::nullopt;
     table.row({fmt::format("{}{}", u.id, u.lost ? " ✗ lost" : ""), fmt::format("{}", u.strips),
                fmt::format("{:.2f}", u.area_m2 / 10'000), fmt::format("{}", u.sorties.size()),
                minutes2(u.planned_non_spray_s), minutes2(u.lower_bound_s), percent(gap),
