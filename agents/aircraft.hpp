@@ -10,9 +10,9 @@
 
 namespace furrow::agents {
 
-/// Acceleration that paths are planned with; the rest of the limit is left to corrections.
+/// The same as a plain number, for the control loop [m/s2].
 inline double planned_acceleration_mps2(const Vehicle& vehicle) {
-  return 0.95 * vehicle.acceleration_limit.base();
+  return planned_acceleration(vehicle).base();
 }
 
 /// A simulated aircraft with its sensors and its autopilot, without any purpose of its own.

@@ -36,6 +36,11 @@ constexpr ApplicationRate application_rate(const Vehicle& v) {
   return v.tank / (tank_range(v) * v.swath);
 }
 
+/// Acceleration that flights are planned with; the rest of the limit is left to corrections.
+constexpr Acceleration planned_acceleration(const Vehicle& v) {
+  return 0.95 * v.acceleration_limit;
+}
+
 /// Flying time a plan may use from one full pack.
 constexpr Seconds usable_endurance(const Vehicle& v) {
   return (1.0 - v.battery_reserve) * v.flight_endurance;
