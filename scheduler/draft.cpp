@@ -24,7 +24,7 @@ struct Desk {
 /// The share flown with the return points that are best without battery and queue.
 Itinerary rough_itinerary(const Desk& desk, std::size_t uav, const Share& share) {
   const Vehicle& vehicle = desk.vehicles[uav];
-  if (share.strips.count == 0) return itinerary(vehicle.id, share.station, {});
+  if (share.strips.count == 0) return grounded(vehicle.id, share.station);
   GrowingShare growing{desk.route, desk.lengths, desk.paces[uav][share.station],
                        share.strips.first};
   for (std::uint32_t s = 0; s < share.strips.count; ++s) growing.grow();
@@ -32,7 +32,8 @@ Itinerary rough_itinerary(const Desk& desk, std::size_t uav, const Share& share)
   const std::uint32_t stop = end(desk.route.strips[end(share.strips) - 1].cells);
   const auto problem = planner::return_problem(desk.route, {first, stop - first}, vehicle,
                                                desk.stations[share.station]);
-  return itinerary(vehicle.id, share.station, planner::evaluated(problem, growing.returns()));
+  return itinerary(vehicle.id, share.station, planner::evaluated(problem, growing.returns()),
+                   FlightTimes{desk.route, problem});
 }
 
 /// What a draft is judged by: the makespan, then the sum of all finishes, queues included.

@@ -18,6 +18,11 @@ using planner::Solution;
 
 constexpr std::uint32_t rounds = 2;
 
+Itinerary itinerary_of(const FleetTask& task, const ReturnPlan& plan) {
+  if (!task.times) return grounded(task.agent, task.station);
+  return itinerary(task.agent, task.station, plan, *task.times);
+}
+
 std::tuple<double, double> worth(const Forecast& f) {
   return {f.makespan_s, std::accumulate(f.spray_ends_s.begin(), f.spray_ends_s.end(), 0.0)};
 }
@@ -82,7 +87,7 @@ class Search {
   std::vector<Itinerary> itineraries(const std::vector<Solution>& solutions) const {
     std::vector<Itinerary> all;
     for (std::size_t u = 0; u < tasks_.size(); ++u) {
-      all.push_back(itinerary(tasks_[u].agent, tasks_[u].station, solutions[u].plan));
+      all.push_back(itinerary_of(tasks_[u], solutions[u].plan));
     }
     return all;
   }
@@ -108,7 +113,7 @@ class Search {
     QueueClock clock{stations_[station].bays, std::move(here)};
     const double without_s = clock.queue_wait_without_s(index);
     const auto added_wait_s = [&](const ReturnPlan& plan) {
-      return clock.queue_wait_s(index, plan) - without_s;
+      return clock.queue_wait_s(index, itinerary_of(tasks_[u], plan)) - without_s;
     };
     const double now_s = current_[u].plan.non_spray_s + added_wait_s(current_[u].plan);
     auto answer =

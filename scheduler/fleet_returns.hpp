@@ -13,6 +13,7 @@ struct FleetTask {
   AgentId agent;
   std::uint32_t station;                          ///< Index into the stations.
   std::optional<planner::ReturnProblem> problem;  ///< None for an empty share.
+  std::optional<FlightTimes> times;               ///< Of the problem; none for an empty share.
 };
 
 struct FleetReturns {

@@ -10,21 +10,6 @@ namespace {
 
 constexpr double over = std::numeric_limits<double>::infinity();
 
-void fill(Itinerary& it, const planner::ReturnPlan& plan) {
-  it.flights_s.clear();
-  it.services_s.clear();
-  it.flies = !plan.sorties.empty();
-  if (!it.flies) return;
-  for (std::size_t n = 0; n + 1 < plan.sorties.size(); ++n) {
-    const planner::PlannedSortie& s = plan.sorties[n];
-    it.flights_s.push_back(s.fly_out_s + s.spray_s + s.fly_back_s);
-    it.services_s.push_back(s.service_s);
-  }
-  const planner::PlannedSortie& last = plan.sorties.back();
-  it.last_spray_s = last.fly_out_s + last.spray_s;
-  it.last_home_s = last.fly_back_s;
-}
-
 /// The bay for one who comes at `arrives_s`: the lowest free one, else the one that is free first.
 std::size_t bay_for(double arrives_s, const std::vector<double>& free_s) {
   const auto idle = std::find_if(free_s.begin(), free_s.end(),
@@ -63,15 +48,30 @@ void serve(const std::vector<const Itinerary*>& itineraries, std::uint32_t bays,
 
 }  // namespace
 
-Itinerary itinerary(AgentId agent, std::uint32_t station, const planner::ReturnPlan& plan) {
-  Itinerary it{.agent = agent,
-               .station = station,
-               .flights_s = {},
-               .services_s = {},
-               .last_spray_s = 0,
-               .last_home_s = 0,
-               .flies = false};
-  fill(it, plan);
+Itinerary grounded(AgentId agent, std::uint32_t station) {
+  return {.agent = agent,
+          .station = station,
+          .flights_s = {},
+          .services_s = {},
+          .last_spray_s = 0,
+          .last_home_s = 0,
+          .flies = false};
+}
+
+Itinerary itinerary(AgentId agent, std::uint32_t station, const planner::ReturnPlan& plan,
+                    const FlightTimes& times) {
+  Itinerary it = grounded(agent, station);
+  it.flies = true;
+  for (std::size_t n = 0; n < plan.sorties.size(); ++n) {
+    const SortieTimes flown = times(plan.sorties[n], n == 0);
+    if (n + 1 < plan.sorties.size()) {
+      it.flights_s.push_back(flown.until_sprayed_s + flown.home_s);
+      it.services_s.push_back(plan.sorties[n].service_s);
+    } else {
+      it.last_spray_s = flown.until_sprayed_s;
+      it.last_home_s = flown.home_s;
+    }
+  }
   return it;
 }
 
@@ -112,7 +112,8 @@ QueueClock::QueueClock(std::uint32_t bays, std::vector<Itinerary> itineraries)
   require(bays >= 1, "a station has a bay");
 }
 
-double QueueClock::run() {
+double QueueClock::queue_wait_s(std::size_t index, Itinerary other) {
+  itineraries_[index] = std::move(other);
   std::vector<const Itinerary*> all;
   for (const Itinerary& it : itineraries_) all.push_back(&it);
   double wait_s = 0.0;
@@ -121,13 +122,8 @@ double QueueClock::run() {
   return wait_s;
 }
 
-double QueueClock::queue_wait_s(std::size_t index, const planner::ReturnPlan& plan) {
-  fill(itineraries_[index], plan);
-  return run();
-}
-
 double QueueClock::queue_wait_without_s(std::size_t index) {
-  return queue_wait_s(index, planner::ReturnPlan{});
+  return queue_wait_s(index, grounded(itineraries_[index].agent, itineraries_[index].station));
 }
 
 }  // namespace furrow::scheduler

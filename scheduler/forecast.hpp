@@ -2,6 +2,7 @@
 // What waiting at the stations makes of the aircraft's plans.
 
 #include "scheduler/fleet_plan.hpp"
+#include "scheduler/flight_times.hpp"
 
 #include <cstdint>
 #include <span>
@@ -20,7 +21,13 @@ struct Itinerary {
   bool flies;           ///< False for an empty share.
 };
 
-Itinerary itinerary(AgentId agent, std::uint32_t station, const planner::ReturnPlan& plan);
+/// The plan as it is flown.
+/// @param times  Of the share that the plan is for.
+Itinerary itinerary(AgentId agent, std::uint32_t station, const planner::ReturnPlan& plan,
+                    const FlightTimes& times);
+
+/// Of an aircraft without a share.
+Itinerary grounded(AgentId agent, std::uint32_t station);
 
 /// How a fleet's mission is expected to go.
 struct Forecast {
@@ -42,15 +49,13 @@ class QueueClock {
  public:
   QueueClock(std::uint32_t bays, std::vector<Itinerary> itineraries);
 
-  /// Total wait at the station when itinerary `index` flies `plan` in place of its own.
-  double queue_wait_s(std::size_t index, const planner::ReturnPlan& plan);
+  /// Total wait at the station when `other` is flown in place of itinerary `index`.
+  double queue_wait_s(std::size_t index, Itinerary other);
 
   /// Total wait of the others when itinerary `index` stays on the ground.
   double queue_wait_without_s(std::size_t index);
 
  private:
-  double run();
-
   std::vector<Itinerary> itineraries_;  ///< In order of agent id.
   std::vector<double> arrives_s_, free_s_;
   std::vector<std::size_t> next_;

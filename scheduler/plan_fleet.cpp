@@ -77,10 +77,11 @@ std::vector<FleetTask> tasks(const FleetProblem& problem, const Sketch& s) {
   for (std::size_t u = 0; u < problem.vehicles.size(); ++u) {
     const Vehicle& vehicle = problem.vehicles[u];
     const Share& share = s.draft.shares[u];
-    FleetTask task{.agent = vehicle.id, .station = share.station, .problem = {}};
+    FleetTask task{.agent = vehicle.id, .station = share.station, .problem = {}, .times = {}};
     if (share.strips.count > 0) {
       task.problem = planner::return_problem(s.route, cells_of(s.route, share.strips), vehicle,
                                              problem.stations[share.station]);
+      task.times.emplace(s.route, *task.problem);
     }
     all.push_back(std::move(task));
   }

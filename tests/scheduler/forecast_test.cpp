@@ -64,7 +64,7 @@ TEST_CASE("forecast: stations queue apart", "[scheduler]") {
 }
 
 TEST_CASE("forecast: an aircraft without a share does not fly", "[scheduler]") {
-  const std::vector fleet{itinerary(AgentId{1}, 0, {})};
+  const std::vector fleet{grounded(AgentId{1}, 0)};
   const std::vector stations{station(1)};
   const Forecast f = forecast(fleet, stations);
   CHECK(f.makespan_s == 0);
@@ -72,17 +72,15 @@ TEST_CASE("forecast: an aircraft without a share does not fly", "[scheduler]") {
 }
 
 TEST_CASE("forecast: the queue clock finds the wait that the forecast finds", "[scheduler]") {
-  planner::ReturnPlan plan;
-  plan.sorties.resize(3);
-  for (auto& s : plan.sorties) s.fly_out_s = s.fly_back_s = 10, s.spray_s = 80, s.service_s = 60;
+  const Itinerary third = flight(3, {100, 100}, {60, 60}, 90);
   std::vector fleet{flight(1, {100, 100}, {60, 60}), flight(2, {90, 130}, {60, 60}),
                     flight(3, {}, {})};
   QueueClock clock{1, fleet};
   const double others_s = clock.queue_wait_without_s(2);
-  const double all_s = clock.queue_wait_s(2, plan);
+  const double all_s = clock.queue_wait_s(2, third);
   const std::vector stations{station(1, 1)};
   CHECK(others_s == forecast(fleet, stations).queue_wait_s);
-  fleet[2] = itinerary(AgentId{3}, 0, plan);
+  fleet[2] = third;
   CHECK(all_s == forecast(fleet, stations).queue_wait_s);
   CHECK(all_s > others_s);
 }

@@ -41,7 +41,8 @@ double makespan_s(const FleetPlan& plan, const std::vector<Station>& stations, P
   std::vector<Itinerary> fleet;
   for (const UavPlan& u : plan.uavs) {
     const auto p = planner::return_problem(plan.route, u.cells, u.vehicle, u.station);
-    fleet.push_back(itinerary(u.vehicle.id, number(u.station.id) - 1, *planned(p)));
+    fleet.push_back(
+        itinerary(u.vehicle.id, number(u.station.id) - 1, *planned(p), FlightTimes{plan.route, p}));
   }
   return forecast(fleet, stations).makespan_s;
 }

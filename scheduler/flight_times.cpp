@@ -1,0 +1,169 @@
+#include "scheduler/flight_times.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace furrow::scheduler {
+namespace {
+
+constexpr double turning_share = 0.9;  // of the acceleration: the rest keeps aircraft on their arcs
+constexpr double same_place_m = 1e-6;
+constexpr double straight_rad = 1e-6;
+constexpr double tightest_arc_m = 0.01;
+
+/// Straight legs from rest to rest, to be timed. Metres and seconds.
+class Way {
+ public:
+  Way(FieldPoint start, const Vehicle& vehicle)
+      : acceleration_{planned_acceleration(vehicle).base()},
+        cut_m_{0.5 * vehicle.swath.base()},
+        min_radius_m_{std::max(tightest_arc_m, vehicle.min_turn_radius.base())},
+        at_{start} {}
+
+  void add(FieldPoint to, Speed limit) {
+    const double length_m = distance(at_, to).base();
+    if (length_m < same_place_m) return;
+    legs_.push_back({.x = (to - at_).x.base() / length_m,
+                     .y = (to - at_).y.base() / length_m,
+                     .length_m = length_m,
+                     .limit_mps = limit.base()});
+    at_ = to;
+  }
+
+  std::size_t legs() const { return legs_.size(); }
+
+  /// @param sprayed_legs  After so many legs the last cell is sprayed: in the middle of an arc.
+  SortieTimes times(std::size_t sprayed_legs);
+
+ private:
+  struct Leg {
+    double x, y;  // unit vector
+    double length_m, limit_mps;
+  };
+  struct Stretch {
+    double length_m, limit_mps, entry_mps;
+  };
+
+  double lay_corner(const Leg& in, const Leg& out);
+  void plan_speeds();
+  double flown_s(const Stretch& stretch, double entry_mps, double exit_mps) const;
+
+  double acceleration_, cut_m_, min_radius_m_;
+  FieldPoint at_;
+  std::vector<Leg> legs_{};
+  std::vector<Stretch> stretches_{};  ///< Each leg's straight, then its corner.
+};
+
+/// Appends the corner between two legs.
+/// @return  How much of each leg it takes [m].
+double Way::lay_corner(const Leg& in, const Leg& out) {
+  const double angle =
+      std::abs(std::atan2(in.x * out.y - in.y * out.x, in.x * out.x + in.y * out.y));
+  if (angle <= straight_rad) {
+    stretches_.push_back({0.0, std::min(in.limit_mps, out.limit_mps), 0.0});
+    return 0.0;
+  }
+  const double cut_m = std::min({cut_m_, 0.5 * in.length_m, 0.5 * out.length_m});
+  const double radius_m = cut_m / std::tan(0.5 * angle);
+  if (radius_m < min_radius_m_) {
+    stretches_.push_back({0.0, 0.0, 0.0});
+    return 0.0;
+  }
+  const double turning_mps = std::sqrt(turning_share * acceleration_ * radius_m);
+  stretches_.push_back(
+      {radius_m * angle, std::min({in.limit_mps, out.limit_mps, turning_mps}), 0.0});
+  return cut_m;
+}
+
+void Way::plan_speeds() {
+  double exit_mps = 0.0;
+  for (std::size_t i = stretches_.size(); i-- > 0;) {
+    Stretch& s = stretches_[i];
+    s.entry_mps =
+        std::min(s.limit_mps, std::sqrt(exit_mps * exit_mps + 2.0 * acceleration_ * s.length_m));
+    if (i > 0) s.entry_mps = std::min(s.entry_mps, stretches_[i - 1].limit_mps);
+    exit_mps = s.entry_mps;
+  }
+}
+
+double Way::flown_s(const Stretch& stretch, double entry_mps, double exit_mps) const {
+  if (stretch.length_m <= 0.0) return 0.0;
+  const double squares = entry_mps * entry_mps + exit_mps * exit_mps;
+  const double reached_mps = std::sqrt(acceleration_ * stretch.length_m + 0.5 * squares);
+  const double peak_mps = std::max({std::min(reached_mps, stretch.limit_mps), entry_mps, exit_mps});
+  const double ramps_m = (2.0 * peak_mps * peak_mps - squares) / (2.0 * acceleration_);
+  return (2.0 * peak_mps - entry_mps - exit_mps) / acceleration_ +
+         std::max(0.0, stretch.length_m - ramps_m) / peak_mps;
+}
+
+SortieTimes Way::times(std::size_t sprayed_legs) {
+  double taken_m = 0.0;  // of the leg, by the corner before it
+  for (std::size_t i = 0; i < legs_.size(); ++i) {
+    const std::size_t straight = stretches_.size();
+    stretches_.push_back({0.0, legs_[i].limit_mps, 0.0});
+    const double cut_m = i + 1 < legs_.size() ? lay_corner(legs_[i], legs_[i + 1]) : 0.0;
+    stretches_[straight].length_m = std::max(0.0, legs_[i].length_m - taken_m - cut_m);
+    taken_m = cut_m;
+  }
+  plan_speeds();
+
+  double sum_s = 0.0, sprayed_s = 0.0, entry_mps = 0.0;
+  for (std::size_t i = 0; i < stretches_.size(); ++i) {
+    const Stretch& s = stretches_[i];
+    const double wanted_mps = i + 1 < stretches_.size() ? stretches_[i + 1].entry_mps : 0.0;
+    const double exit_mps =
+        std::min(wanted_mps, std::sqrt(entry_mps * entry_mps + 2.0 * acceleration_ * s.length_m));
+    const double took_s = flown_s(s, entry_mps, exit_mps);
+    // Stretches 2 i and 2 i + 1 are leg i and the corner after it.
+    if (i + 1 == 2 * sprayed_legs) sprayed_s = sum_s + 0.5 * took_s;
+    sum_s += took_s;
+    if (i + 2 == 2 * sprayed_legs && i + 1 == stretches_.size()) sprayed_s = sum_s;
+    entry_mps = exit_mps;
+  }
+  return {.until_sprayed_s = sprayed_s, .home_s = sum_s - sprayed_s};
+}
+
+}  // namespace
+
+FieldPoint FlightTimes::Run::at(std::uint32_t cell) const {
+  if (first == last) return from;
+  const double share = static_cast<double>(cell - first) / (last - first);
+  return from + FieldVector{share * (to - from).x, share * (to - from).y};
+}
+
+FlightTimes::FlightTimes(const planner::Route& route, const planner::ReturnProblem& problem)
+    : vehicle_{problem.vehicle}, station_{problem.station.position} {
+  const std::uint32_t begin = problem.cells.first;
+  for (const planner::Strip& strip : route.strips) {
+    const std::uint32_t first = std::max(strip.cells.first, begin);
+    const std::uint32_t stop = std::min(end(strip.cells), end(problem.cells));
+    if (first >= stop) continue;
+    runs_.push_back({.first = first - begin,
+                     .last = stop - 1 - begin,
+                     .from = route.centers[first],
+                     .to = route.centers[stop - 1],
+                     .continues = strip.continues});
+  }
+}
+
+SortieTimes FlightTimes::operator()(const planner::PlannedSortie& sortie, bool is_first) const {
+  Way way{is_first ? vehicle_.home : station_, vehicle_};
+  auto run = std::partition_point(runs_.begin(), runs_.end(),
+                                  [&](const Run& r) { return r.last < sortie.first; });
+  // Work goes on from a cell sprayed before, unless a ferry follows it.
+  const bool ferry_follows = !is_first && sortie.first == run->last && sortie.first < sortie.last &&
+                             !std::next(run)->continues;
+  if (ferry_follows) ++run;
+  way.add(run->at(std::max(sortie.first, run->first)), vehicle_.ferry_speed);
+  while (run->last < sortie.last) {
+    way.add(run->to, vehicle_.spray_speed);
+    ++run;
+    way.add(run->from, run->continues ? vehicle_.spray_speed : vehicle_.ferry_speed);
+  }
+  way.add(run->at(sortie.last), vehicle_.spray_speed);
+  const std::size_t sprayed_legs = way.legs();
+  way.add(station_, vehicle_.ferry_speed);
+  return way.times(sprayed_legs);
+}
+
+}  // namespace furrow::scheduler

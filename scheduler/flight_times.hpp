@@ -1,0 +1,49 @@
+#pragma once
+// How long a sortie takes an aircraft that has mass.
+
+#include "planner/returns/problem.hpp"
+
+#include <vector>
+
+namespace furrow::scheduler {
+
+/// One sortie in the air.
+struct SortieTimes {
+  double until_sprayed_s;  ///< From take-off to its last sprayed cell.
+  double home_s;           ///< From there to standing at the station.
+};
+
+/// The flights of one aircraft on its share, from rest to rest: where the planner counts constant
+/// speeds and sharp corners, these accelerate, brake and turn, in still air.
+///
+/// The way is flown as aircraft do. At a corner of angle q an arc leaves both legs c before it, c
+/// half a swath or half of the shorter leg, its radius r = c / tan(q / 2); it is flown at
+/// sqrt(k a r) at most, where a is the acceleration planned with and k the share of it left to
+/// turning. A corner without room for an arc is turned at a stop. A stretch of length s between
+/// speeds u and w takes, at limit v, what its trapezoid takes: ramps at a up to the peak
+/// p = min(v, sqrt(a s + (u^2 + w^2) / 2)), and the rest at p. From rest to rest that is s / v + v
+/// / a where v is reached, and 2 sqrt(s / a) where not. Speeds from which the next corner could not
+/// be met are lowered from the end of the way backwards.
+class FlightTimes {
+ public:
+  /// The route and the problem are copied from, not kept.
+  FlightTimes(const planner::Route& route, const planner::ReturnProblem& problem);
+
+  /// @param is_first  Whether it starts at the aircraft's first position, not at the station.
+  /// Time O(strips of the sortie).
+  SortieTimes operator()(const planner::PlannedSortie& sortie, bool is_first) const;
+
+ private:
+  struct Run {                  ///< The part of a strip within the share.
+    std::uint32_t first, last;  ///< Cells, indices into the share.
+    FieldPoint from, to;
+    bool continues;
+    FieldPoint at(std::uint32_t cell) const;
+  };
+
+  Vehicle vehicle_;
+  FieldPoint station_;
+  std::vector<Run> runs_{};
+};
+
+}  // namespace furrow::scheduler

@@ -1,0 +1,70 @@
+// The plan's forecast against the flight: whole missions, planned and simulated in this process.
+
+#include "mission/fleet.hpp"
+#include "mission/load.hpp"
+#include "sim/simulate.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+
+namespace furrow::sim {
+namespace {
+
+Log flown(const mission::Scenario& scenario, const scheduler::FleetPlan& plan) {
+  NodeHost host{scenario.link, scenario.seed};
+  host.add(furrow::scheduler_node(), mission::scheduler_node(scenario, plan), Instant{});
+  for (const Station& s : scenario.stations) {
+    host.add(node(s.id), mission::supply_node(scenario, s.id), Instant{});
+  }
+  for (const Vehicle& v : scenario.uavs) {
+    const BootId boot = mission::first_boot(scenario, node(v.id));
+    host.add(node(v.id), mission::agent_node(scenario, v.id, boot), Instant{});
+  }
+  return simulate(host, scenario.link.latency, Instant{scenario.mission_limit});
+}
+
+/// When the last cell was sprayed, as the agents report their sorties.
+double makespan_s(const Log& log) {
+  double latest_s = 0.0;
+  for (const Envelope& e : log.envelopes) {
+    const auto* sortie = std::get_if<SortieReport>(&e.body);
+    if (sortie == nullptr) continue;
+    latest_s = std::max(latest_s, seconds(sortie->spray_ended.time_since_epoch()).base());
+  }
+  return latest_s;
+}
+
+/// Flown makespan by planned makespan.
+double flown_to_planned(const mission::Scenario& scenario) {
+  const auto plan = scheduler::plan_fleet(mission::fleet_problem(scenario));
+  REQUIRE(plan);
+  const Log log = flown(scenario, *plan);
+  REQUIRE(log.finished);
+  return makespan_s(log) / plan->makespan_s;
+}
+
+mission::Scenario scenario(const char* name) {
+  auto loaded = mission::load(std::string{"scenarios/"} + name + ".yaml");
+  REQUIRE(loaded);
+  return *loaded;
+}
+
+TEST_CASE("flown as planned: three aircraft at one bay", "[sim]") {
+  CHECK(flown_to_planned(scenario("wang2017_field_a")) == Approx(1.0).margin(0.01));
+}
+
+TEST_CASE("flown as planned: unlike aircraft at two stations", "[sim]") {
+  mission::Scenario mixed = scenario("fleet_20");
+  // Both types, each with its station's side of a smaller field.
+  mixed.field = {.boundary = {at_m(200, 0), at_m(1050, 0), at_m(1050, 300), at_m(200, 300)},
+                 .holes = {},
+                 .obstacles = {}};
+  mixed.start.reset();
+  mixed.uavs.erase(mixed.uavs.begin() + 15, mixed.uavs.end());
+  mixed.uavs.erase(mixed.uavs.begin() + 3, mixed.uavs.begin() + 12);
+  CHECK(flown_to_planned(mixed) == Approx(1.0).margin(0.02));
+}
+
+}  // namespace
+}  // namespace furrow::sim
