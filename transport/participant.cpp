@@ -240,7 +240,7 @@ dds::DataWriter* Participant::add_writer(dds::Topic* topic, Quality quality) {
   dds::DataWriterQos qos;
   apply(quality, qos);
   auto& times = qos.reliable_writer_qos().times;
-  times.heartbeatPeriod = dds_time(std::chrono::milliseconds{50});
+  times.heartbeatPeriod = dds_time(std::chrono::milliseconds{100});
   times.nackResponseDelay = dds_time(std::chrono::milliseconds{1});
   dds::DataWriter* const writer = publisher_->create_datawriter(topic, qos);
   require(writer != nullptr, "a writer's quality of service is consistent");

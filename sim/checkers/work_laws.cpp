@@ -65,8 +65,8 @@ class WorkLaws final : public Checker {
   struct Work {
     std::map<std::uint64_t, CellRange> granted;     // by grant id
     std::map<std::uint64_t, std::uint32_t> closed;  // cells sprayed, by grant id
-    std::uint32_t sortie_cells = 0;   // passed with the valve open in this sortie
-    std::uint32_t sortie_pieces = 0;  // straight runs of them
+    std::uint32_t sortie_cells = 0;                 // passed with the valve open in this sortie
+    std::uint32_t sortie_pieces = 0;                // straight runs of them
   };
 
   void observe_grant(const WorkGrant& grant, Instant at) {

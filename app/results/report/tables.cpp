@@ -115,12 +115,12 @@ std::string uav_table(const Result& r) {
   for (const UavFigures& u : r.uavs) {
     const bool is_bounded = u.lower_bound_s > 0 || u.planned_non_spray_s == 0;
     const double over = u.lower_bound_s > 0 ? u.planned_non_spray_s / u.lower_bound_s - 1 : 0;
-    const auto gap = is_bounded ? std::optional{over} : std::nullopt;
     table.row({fmt::format("{}{}", u.id, u.lost ? " ✗ lost" : ""), fmt::format("{}", u.strips),
                fmt::format("{:.2f}", u.area_m2 / 10'000), fmt::format("{}", u.sorties.size()),
-               minutes2(u.planned_non_spray_s), minutes2(u.lower_bound_s), percent(gap),
-               u.proven ? "yes" : "no", minutes(u.queue_wait_s), minutes(u.planned_spray_ended_s),
-               minutes(u.spray_ended_s), fmt::format("{:.1f}", u.ferry_m / 1000)},
+               minutes2(u.planned_non_spray_s), minutes2(u.lower_bound_s),
+               is_bounded ? percent(over) : percent(std::nullopt), u.proven ? "yes" : "no",
+               minutes(u.queue_wait_s), minutes(u.planned_spray_ended_s), minutes(u.spray_ended_s),
+               fmt::format("{:.1f}", u.ferry_m / 1000)},
               u.lost ? "bad" : "");
   }
   return table.markup();
