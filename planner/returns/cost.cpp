@@ -32,7 +32,7 @@ JudgedReturns ReturnCost::operator()(std::span<const std::uint32_t> returns) con
   std::uint32_t first = 0;
   for (std::size_t n = 0; n <= returns.size(); ++n) {
     const std::uint32_t last = n < returns.size() ? returns[n] : last_cell();
-    const double flight = flight_s(first, last);
+    const double flight = flight_s(n == 0 ? first_out_s_ : home_s(first), first, last);
     const double sprayed_m = spray_m(first, last);
     if (n > 0) {
       const bool swap = used_s + flight > limits_.pack_s;

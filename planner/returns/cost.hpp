@@ -36,10 +36,9 @@ class ReturnCost {
   std::uint32_t last_cell() const { return static_cast<std::uint32_t>(cells_.size() - 1); }
   const Limits& limits() const { return limits_; }
 
-  /// Flight of a sortie from cell `first` to cell `last`, seconds.
+  /// Flight of a sortie from cell `first` to cell `last`, seconds; from cell 0 the first sortie's.
   double flight_s(std::uint32_t first, std::uint32_t last) const {
-    const double out_s = first == 0 ? first_out_s_ : cells_[first].home_s;
-    return out_s + (cells_[last].route_s - cells_[first].route_s) + cells_[last].home_s;
+    return flight_s(first == 0 ? first_out_s_ : cells_[first].home_s, first, last);
   }
   /// In the bay before a sortie that sprays `spray_m`, seconds.
   double service_s(double spray_m, bool swap) const {
@@ -55,6 +54,10 @@ class ReturnCost {
   struct Cell {
     double spray_m, route_s, home_s;
   };
+  double flight_s(double out_s, std::uint32_t first, std::uint32_t last) const {
+    return out_s + (cells_[last].route_s - cells_[first].route_s) + cells_[last].home_s;
+  }
+
   std::vector<Cell> cells_;
   std::vector<std::uint32_t> tank_reach_, reach_;
   Limits limits_;

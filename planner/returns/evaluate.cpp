@@ -10,9 +10,12 @@
 namespace furrow::planner {
 namespace {
 
-PlannedSortie flown(const ReturnProblem& problem, std::uint32_t first, std::uint32_t last) {
+enum class From { first_position, station };
+
+PlannedSortie flown(const ReturnProblem& problem, From from, std::uint32_t first,
+                    std::uint32_t last) {
   const double ferry_mps = problem.vehicle.ferry_speed.base();
-  const double out_m = first == 0 ? problem.fly_out_m : problem.home_m[first];
+  const double out_m = from == From::station ? problem.home_m[first] : problem.fly_out_m;
   return {.first = first,
           .last = last,
           .spray_m = problem.spray_m[last] - problem.spray_m[first],
@@ -42,12 +45,14 @@ ReturnPlan evaluated(const ReturnProblem& problem, const Returns& returns) {
   ReturnPlan plan{
       .returns = returns, .sorties = {}, .non_spray_s = 0, .round_trips_m = 0, .swaps = 0};
   plan.sorties.reserve(returns.size() + 1);
+  From from = From::first_position;
   std::uint32_t first = 0;
   for (const std::uint32_t last : returns) {
-    plan.sorties.push_back(flown(problem, first, last));
+    plan.sorties.push_back(flown(problem, from, first, last));
+    from = From::station;
     first = last;
   }
-  plan.sorties.push_back(flown(problem, first, cell_count(problem) - 1));
+  plan.sorties.push_back(flown(problem, from, first, cell_count(problem) - 1));
 
   double used_s = 0.0;  // of the pack on board
   for (std::size_t n = 0; n < plan.sorties.size(); ++n) {
@@ -84,7 +89,8 @@ std::optional<PlanError> infeasibility(const ReturnProblem& problem) {
   const Limits limits = limits_of(problem);
   const auto cell = [&](std::uint32_t i) { return problem.cells.first + i; };
   for (std::uint32_t i = 0; i < cell_count(problem); ++i) {
-    const PlannedSortie least = flown(problem, i == 0 ? 0 : i - 1, i);
+    const From from = i <= 1 ? From::first_position : From::station;
+    const PlannedSortie least = flown(problem, from, i == 0 ? 0 : i - 1, i);
     if (least.spray_m > limits.tank_m) {
       return PlanError{PlanFault::tank_too_small,
                        fmt::format("UAV {}: cell {} takes {:.1f} m of spraying, a tank lasts for "

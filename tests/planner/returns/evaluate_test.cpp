@@ -1,5 +1,6 @@
 #include "planner/returns/evaluate.hpp"
 
+#include "planner/returns/cost.hpp"
 #include "planner/returns/exact.hpp"
 #include "planner/returns/simple.hpp"
 #include "planner/returns/unplanned.hpp"
@@ -73,6 +74,27 @@ TEST_CASE("evaluate: one return costs its round trip and the longer of filling a
   CHECK(swapped.sorties[1].pack == 2);
   CHECK_THAT(swapped.non_spray_s, WithinAbs(2 * 5.09902 / 6 + 60.0, 1e-4));
   CHECK_THAT(swapped.sorties[1].battery_used, WithinAbs(5.390 / 7.5, 1e-3));
+}
+
+TEST_CASE("evaluate: after a return at the first cell the way out starts at the station",
+          "[planner]") {
+  Vehicle vehicle = paper_case::vehicle();
+  vehicle.home = at_m(1, 61);  // 60 m, 10 s from the first cell
+  const ReturnProblem p =
+      return_problem(route_with_ferry(), {0, 6}, vehicle, paper_case::station());
+
+  const ReturnPlan plan = evaluated(p, {0});
+  // The station at (0, 0) is hypot(1, 1) = 1.414 m from (1, 1).
+  CHECK_THAT(plan.sorties[0].fly_out_s, WithinAbs(10.0, 1e-9));
+  CHECK_THAT(plan.sorties[1].fly_out_s, WithinAbs(1.41421 / 6, 1e-5));
+  CHECK(ReturnCost{p}(plan.returns).non_spray_s == plan.non_spray_s);
+
+  // 4 / 3 + 1.4142 / 6 + ... fits into a pack that would not carry the 10 s way out again.
+  vehicle.flight_endurance = seconds(11.0);
+  const ReturnProblem tight =
+      return_problem(route_with_ferry(), {0, 6}, vehicle, paper_case::station());
+  CHECK(is_feasible(tight, evaluated(tight, {0})));
+  CHECK(ReturnCost{tight}(Returns{0}).excess_s == 0.0);
 }
 
 TEST_CASE("evaluate: the reserve of a pack is never planned with", "[planner]") {
