@@ -25,7 +25,7 @@ std::vector<sim::Violation> judged(const MissionRecord& record, const Flight& fl
   const sim::Facts facts{.field = record.scenario.field,
                          .stations = record.scenario.stations,
                          .plan = record.plan,
-                         .claim_lease = std::chrono::seconds{3},
+                         .claim_lease = record.scenario.agent_lease,
                          .whole = flight.log.finished};
   return sim::violations(facts, record.log, flight.log.ended);
 }

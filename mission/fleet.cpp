@@ -62,8 +62,9 @@ AnyNode scheduler_node(const Scenario& scenario, const scheduler::FleetPlan& pla
 AnyNode supply_node(const Scenario& scenario, StationId station) {
   std::map<AgentId, Volume> tanks;
   for (const Vehicle& uav : scenario.uavs) tanks[uav.id] = uav.tank;
-  return AnyNode{
-      supply::SupplyNode{{.station = with_id(scenario.stations, station), .tanks = tanks}}};
+  return AnyNode{supply::SupplyNode{{.station = with_id(scenario.stations, station),
+                                     .tanks = tanks,
+                                     .terms = {.lease = scenario.agent_lease}}}};
 }
 
 AnyNode agent_node(const Scenario& scenario, AgentId agent, BootId boot) {

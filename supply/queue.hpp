@@ -14,8 +14,9 @@ namespace furrow::supply {
 
 /// How long the word of an aircraft counts.
 struct LeaseTerms {
-  Duration lease;     ///< A claim not renewed for longer is dropped; > 0.
-  Duration clearing;  ///< A bay whose holder fell silent stays shut for as long after that; >= 0.
+  Duration lease;  ///< A claim not renewed for longer is dropped; > 0.
+  /// A bay whose holder fell silent stays shut for as long after that; >= 0.
+  Duration clearing{std::chrono::seconds{1}};
 };
 
 /// One aircraft's visit, in the queue or in a bay.
