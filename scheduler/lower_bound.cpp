@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <tuple>
+#include <vector>
 
 namespace furrow::scheduler {
 namespace {
 
 constexpr double tolerance_s = 0.05;
+constexpr std::size_t most_sets = 4096;
 
 /// The largest time, within the tolerance, that `is_too_short` holds for; it holds below some time
 /// and not above.
@@ -21,65 +25,127 @@ double last_short_s(Question is_too_short) {
   return low_s;
 }
 
-/// Whether as many aircraft as `count`, all at `pace`, leave strips over at `finish_s`.
-bool leaves_strips(const planner::Route& route, const RouteLengths& lengths, const Pace& pace,
-                   std::size_t count, double finish_s) {
-  std::uint32_t next = 0;
-  for (std::size_t i = 0; i < count && next < route.strips.size(); ++i) {
-    GrowingShare growing{route, lengths, pace, next};
-    while (growing.can_grow() && growing.grow() <= finish_s) ++next;
-  }
-  return next < route.strips.size();
+using Group = std::vector<Vehicle>;
+
+auto likeness(const Vehicle& v) {
+  return std::tuple{v.spray_speed.base(), v.ferry_speed.base(), tank_range(v).base()};
 }
 
-/// The least that an aircraft needs, whatever it sprays.
-struct LeastCosts {
-  double out_s, spray_mps, tank_m, return_s, fill_s_per_m;
+/// How many sets of aircraft there are when those of a group are counted, not told apart.
+std::size_t sets(const std::vector<Group>& groups) {
+  std::size_t product = 1;
+  for (const Group& g : groups) product = std::min(product * (g.size() + 1), 2 * most_sets);
+  return product;
+}
+
+/// Merges the two neighbours whose spray speeds are nearest.
+void merge_once(std::vector<Group>& groups) {
+  const auto step = [](const Group& slow, const Group& fast) {
+    return fast.front().spray_speed / slow.back().spray_speed;
+  };
+  std::size_t nearest = 0;
+  for (std::size_t g = 1; g + 1 < groups.size(); ++g) {
+    if (step(groups[g], groups[g + 1]) < step(groups[nearest], groups[nearest + 1])) nearest = g;
+  }
+  Group& kept = groups[nearest];
+  Group& gone = groups[nearest + 1];
+  kept.insert(kept.end(), gone.begin(), gone.end());
+  groups.erase(groups.begin() + static_cast<std::ptrdiff_t>(nearest) + 1);
+}
+
+std::vector<Group> groups_of(std::span<const Vehicle> vehicles) {
+  Group sorted{vehicles.begin(), vehicles.end()};
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const Vehicle& a, const Vehicle& b) { return likeness(a) < likeness(b); });
+  std::vector<Group> groups;
+  for (const Vehicle& v : sorted) {
+    if (groups.empty() || likeness(groups.back().back()) != likeness(v)) groups.emplace_back();
+    groups.back().push_back(v);
+  }
+  while (sets(groups) > most_sets) merge_once(groups);
+  return groups;
+}
+
+/// How far along the route sets of aircraft get by a time.
+class Reach {
+ public:
+  Reach(const planner::Route& route, const RouteLengths& lengths, std::span<const Vehicle> vehicles,
+        std::span<const Station> stations)
+      : route_{route}, lengths_{lengths} {
+    for (const Group& g : groups_of(vehicles)) {
+      kinds_.push_back({fastest_pace(route, g, stations, lengths.nearest_m), g.size()});
+    }
+  }
+
+  bool leaves_strips(double finish_s) const {
+    std::vector<std::vector<std::uint32_t>> ends(kinds_.size());
+    for (auto& of_kind : ends) of_kind.assign(route_.strips.size() + 1, unknown);
+    // Sets are numbered by their counts as digits, the first kind's running fastest.
+    std::vector<std::uint32_t> reached{0};
+    std::size_t below = 1;  // sets of the kinds so far
+    for (std::size_t k = 0; k < kinds_.size(); ++k) {
+      for (std::size_t set = below; set < below * (kinds_[k].count + 1); ++set) {
+        std::uint32_t furthest = 0;
+        std::size_t unit = 1;
+        for (std::size_t j = 0; j <= k; ++j) {
+          if (set / unit % (kinds_[j].count + 1) > 0) {
+            furthest = std::max(furthest, end_of(j, reached[set - unit], finish_s, ends[j]));
+          }
+          unit *= kinds_[j].count + 1;
+        }
+        reached.push_back(furthest);
+      }
+      below *= kinds_[k].count + 1;
+    }
+    return reached.back() < route_.strips.size();
+  }
+
+ private:
+  struct Kind {
+    Pace pace;
+    std::size_t count;
+  };
+  static constexpr std::uint32_t unknown = std::numeric_limits<std::uint32_t>::max();
+
+  /// The strip after the last that one aircraft, starting at `first`, has done by `finish_s`.
+  std::uint32_t end_of(std::size_t kind, std::uint32_t first, double finish_s,
+                       std::vector<std::uint32_t>& ends) const {
+    std::uint32_t& next = ends[first];
+    if (next != unknown) return next;
+    next = first;
+    GrowingShare growing{route_, lengths_, kinds_[kind].pace, first};
+    while (growing.can_grow() && growing.grow() <= finish_s) ++next;
+    return next;
+  }
+
+  const planner::Route& route_;
+  const RouteLengths& lengths_;
+  std::vector<Kind> kinds_{};
 };
 
-LeastCosts least_costs(const planner::Route& route, const RouteLengths& lengths,
-                       const Vehicle& vehicle, std::span<const Station> stations) {
-  const Pace fastest = fastest_pace(route, {&vehicle, 1}, stations, lengths.nearest_m);
-  const double nearest_m = *std::min_element(lengths.nearest_m.begin(), lengths.nearest_m.end());
-  return {.out_s = *std::min_element(fastest.out_s.begin(), fastest.out_s.end()),
-          .spray_mps = fastest.spray_mps,
-          .tank_m = fastest.tank_m,
-          .return_s = fastest.fill_base_s + 2.0 * nearest_m / fastest.ferry_mps,
-          .fill_s_per_m = fastest.fill_s_per_m};
-}
-
-/// The longest distance sprayed by `finish_s`: whole tanks, each but the first after a return, then
-/// part of one.
-double distance_by_m(const LeastCosts& c, double finish_s) {
-  const double left_s = finish_s - c.out_s;
-  if (left_s <= 0.0) return 0.0;
-  const double first_s = c.tank_m / c.spray_mps;
-  if (left_s <= first_s) return left_s * c.spray_mps;
-  const double s_per_m = 1.0 / c.spray_mps + c.fill_s_per_m;
-  const double tank_s = c.return_s + c.tank_m * s_per_m;
-  const double tanks = std::floor((left_s - first_s) / tank_s);
-  const double rest_s = left_s - first_s - tanks * tank_s - c.return_s;
-  return (1.0 + tanks) * c.tank_m + std::max(0.0, rest_s) / s_per_m;
+/// What all bays together need to fill in, shared among them.
+double filling_s(const planner::Route& route, const RouteLengths& lengths,
+                 std::span<const Vehicle> vehicles, std::span<const Station> stations) {
+  const Pace best = fastest_pace(route, vehicles, stations, lengths.nearest_m);
+  // One move between cells is not sprayed at each cut.
+  const double cuts = static_cast<double>(std::min(vehicles.size(), route.strips.size())) - 1.0;
+  double filled_m = lengths.spray_m.back() - cuts * route.cell.base();
+  for (const Vehicle& v : vehicles) filled_m -= tank_range(v).base();
+  if (filled_m <= 0.0) return 0.0;
+  double bays = 0.0;
+  for (const Station& s : stations) bays += s.bays;
+  return (std::ceil(filled_m / best.tank_m) * best.fill_base_s + filled_m * best.fill_s_per_m) /
+         bays;
 }
 
 }  // namespace
 
 double makespan_bound_s(const planner::Route& route, const RouteLengths& lengths,
                         std::span<const Vehicle> vehicles, std::span<const Station> stations) {
-  const Pace fastest = fastest_pace(route, vehicles, stations, lengths.nearest_m);
-  const double by_share_s = last_short_s([&](double finish_s) {
-    return leaves_strips(route, lengths, fastest, vehicles.size(), finish_s);
-  });
-  std::vector<LeastCosts> costs;
-  for (const Vehicle& v : vehicles) costs.push_back(least_costs(route, lengths, v, stations));
-  const double cuts = static_cast<double>(std::min(vehicles.size(), route.strips.size())) - 1.0;
-  const double needed_m = lengths.spray_m.back() - cuts * route.cell.base();
-  const double by_work_s = last_short_s([&](double finish_s) {
-    double sprayed_m = 0.0;
-    for (const LeastCosts& c : costs) sprayed_m += distance_by_m(c, finish_s);
-    return sprayed_m < needed_m;
-  });
-  return std::max(by_share_s, by_work_s);
+  const Reach reach{route, lengths, vehicles, stations};
+  const double by_share_s =
+      last_short_s([&](double finish_s) { return reach.leaves_strips(finish_s); });
+  return std::max(by_share_s, filling_s(route, lengths, vehicles, stations));
 }
 
 }  // namespace furrow::scheduler
