@@ -4,8 +4,6 @@
 #include "planner/returns/evaluate.hpp"
 
 #include <algorithm>
-#include <numeric>
-#include <tuple>
 
 namespace furrow::scheduler {
 namespace {
@@ -34,11 +32,6 @@ Itinerary rough_itinerary(const Desk& desk, std::size_t uav, const Share& share)
                                                desk.stations[share.station]);
   return itinerary(vehicle.id, share.station, planner::evaluated(problem, growing.returns()),
                    FlightTimes{desk.route, problem});
-}
-
-/// What a draft is judged by: the makespan, then the sum of all finishes, queues included.
-std::tuple<double, double> worth(const Forecast& f) {
-  return {f.makespan_s, std::accumulate(f.spray_ends_s.begin(), f.spray_ends_s.end(), 0.0)};
 }
 
 /// Changes stations, aircraft by aircraft, where the forecast gains by it.
@@ -94,6 +87,24 @@ Draft draft(const planner::Route& route, const RouteLengths& lengths,
     if (round == 0 || worth(drafted.forecast) < worth(best.forecast)) best = std::move(drafted);
   }
   return best;
+}
+
+std::vector<Share> recut(const planner::Route& route, const RouteLengths& lengths,
+                         std::span<const Vehicle> vehicles, std::span<const Station> stations,
+                         const std::vector<Share>& shares, const std::vector<double>& finishes_s) {
+  std::vector<std::vector<Pace>> paces;  // from the one station that each aircraft keeps
+  std::vector<double> stretch;
+  for (std::size_t u = 0; u < vehicles.size(); ++u) {
+    const std::uint32_t s = shares[u].station;
+    paces.push_back({pace(route, vehicles[u], stations[s], lengths.home_m[s])});
+    GrowingShare growing{route, lengths, paces[u][0], shares[u].strips.first};
+    double predicted_s = 0.0;
+    for (std::uint32_t n = 0; n < shares[u].strips.count; ++n) predicted_s = growing.grow();
+    stretch.push_back(predicted_s > 0.0 ? finishes_s[u] / predicted_s : 1.0);
+  }
+  std::vector<Share> cut = partition({route, lengths, paces, std::move(stretch)});
+  for (std::size_t u = 0; u < cut.size(); ++u) cut[u].station = shares[u].station;
+  return cut;
 }
 
 }  // namespace furrow::scheduler

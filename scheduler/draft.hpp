@@ -24,4 +24,13 @@ struct Draft {
 Draft draft(const planner::Route& route, const RouteLengths& lengths,
             std::span<const Vehicle> vehicles, std::span<const Station> stations);
 
+/// Cuts the route anew, now that the shares of an earlier cut have been planned: the same aircraft
+/// from the same stations, each with its pace stretched to the finish that its plan has.
+///
+/// @param shares      By aircraft.
+/// @param finishes_s  By aircraft: when its plan ends spraying; 0 for an empty share.
+std::vector<Share> recut(const planner::Route& route, const RouteLengths& lengths,
+                         std::span<const Vehicle> vehicles, std::span<const Station> stations,
+                         const std::vector<Share>& shares, const std::vector<double>& finishes_s);
+
 }  // namespace furrow::scheduler

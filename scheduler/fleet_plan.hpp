@@ -36,7 +36,7 @@ struct FleetPlan {
   double work_direction_deg;  ///< Clockwise from north, as given or as found.
   std::vector<UavPlan> uavs;  ///< In order of id.
   double makespan_s;          ///< Forecast mission time at which the last cell is sprayed.
-  double lower_bound_s;       ///< No plan of this route on these aircraft has a smaller makespan.
+  double lower_bound_s;       ///< No plan of this route is done earlier at constant speeds.
 };
 
 }  // namespace furrow::scheduler

@@ -5,8 +5,6 @@
 #include "planner/returns/unplanned.hpp"
 
 #include <algorithm>
-#include <numeric>
-#include <tuple>
 
 namespace furrow::scheduler {
 namespace {
@@ -21,10 +19,6 @@ constexpr std::uint32_t rounds = 2;
 Itinerary itinerary_of(const FleetTask& task, const ReturnPlan& plan) {
   if (!task.times) return grounded(task.agent, task.station);
   return itinerary(task.agent, task.station, plan, *task.times);
-}
-
-std::tuple<double, double> worth(const Forecast& f) {
-  return {f.makespan_s, std::accumulate(f.spray_ends_s.begin(), f.spray_ends_s.end(), 0.0)};
 }
 
 /// The search for a fleet's return points: what is flown now, and the best seen so far.

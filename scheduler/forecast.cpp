@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 namespace furrow::scheduler {
 namespace {
@@ -73,6 +74,10 @@ Itinerary itinerary(AgentId agent, std::uint32_t station, const planner::ReturnP
     }
   }
   return it;
+}
+
+std::tuple<double, double> worth(const Forecast& f) {
+  return {f.makespan_s, std::accumulate(f.spray_ends_s.begin(), f.spray_ends_s.end(), 0.0)};
 }
 
 Forecast forecast(std::span<const Itinerary> itineraries, std::span<const Station> stations) {

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <span>
+#include <tuple>
 #include <vector>
 
 namespace furrow::scheduler {
@@ -36,6 +37,9 @@ struct Forecast {
   double makespan_s = 0.0;                    ///< When the last cell is sprayed.
   double queue_wait_s = 0.0;                  ///< Sum over all visits.
 };
+
+/// What missions are compared by: the makespan, then the sum of all finishes.
+std::tuple<double, double> worth(const Forecast& forecast);
 
 /// Flies all itineraries from mission time 0. Each station serves first come first served, those
 /// who come at the same instant by agent id, in the lowest free bay.

@@ -14,6 +14,8 @@ namespace {
 using planner::PlanError;
 using planner::PlanFault;
 
+constexpr int recuts = 3;
+
 /// A covered field with its shares.
 struct Sketch {
   planner::Route route;
@@ -72,11 +74,12 @@ CellRange cells_of(const planner::Route& route, CellRange strips) {
   return {first, end(route.strips[end(strips) - 1].cells) - first};
 }
 
-std::vector<FleetTask> tasks(const FleetProblem& problem, const Sketch& s) {
+std::vector<FleetTask> tasks(const FleetProblem& problem, const Sketch& s,
+                             const std::vector<Share>& shares) {
   std::vector<FleetTask> all;
   for (std::size_t u = 0; u < problem.vehicles.size(); ++u) {
     const Vehicle& vehicle = problem.vehicles[u];
-    const Share& share = s.draft.shares[u];
+    const Share& share = shares[u];
     FleetTask task{.agent = vehicle.id, .station = share.station, .problem = {}, .times = {}};
     if (share.strips.count > 0) {
       task.problem = planner::return_problem(s.route, cells_of(s.route, share.strips), vehicle,
@@ -88,16 +91,58 @@ std::vector<FleetTask> tasks(const FleetProblem& problem, const Sketch& s) {
   return all;
 }
 
-/// Never above the makespan. An aircraft alone with one station has its solver's tighter bound.
-double lower_bound_s(const FleetProblem& problem, const Sketch& s,
-                     const std::vector<FleetTask>& all, const FleetReturns& returns) {
-  double bound_s = makespan_bound_s(s.route, s.lengths, problem.vehicles, problem.stations);
-  if (all.size() == 1 && problem.stations.size() == 1) {
-    const planner::ReturnProblem& only = *all[0].problem;
-    bound_s = std::max(bound_s, only.fly_out_m / only.vehicle.ferry_speed.base() +
-                                    only.on_route_s.back() + returns.solutions[0].lower_bound_s);
+/// Shares with their return points.
+struct Solved {
+  std::vector<Share> shares;
+  std::vector<FleetTask> tasks;
+  FleetReturns returns;
+};
+
+Expected<Solved, PlanError> solved(const FleetProblem& problem, const Sketch& s,
+                                   std::vector<Share> shares, double budget_s) {
+  std::vector<FleetTask> all = tasks(problem, s, shares);
+  planner::SolveSettings settings = problem.solver;
+  settings.budget_s = budget_s;
+  auto returns = fleet_returns(all, problem.stations, settings);
+  if (!returns) return Unexpected{returns.error()};
+  return Solved{std::move(shares), std::move(all), std::move(*returns)};
+}
+
+bool same_strips(const std::vector<Share>& a, const std::vector<Share>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const Share& x, const Share& y) { return x.strips == y.strips; });
+}
+
+/// The drafted shares solved, and cut again by how long they take as long as that helps.
+Expected<Solved, PlanError> best_solved(const FleetProblem& problem, const Sketch& s) {
+  if (problem.vehicles.size() == 1) {
+    return solved(problem, s, s.draft.shares, problem.solver.budget_s);
   }
-  return std::min(bound_s, returns.forecast.makespan_s);
+  const double budget_s = problem.solver.budget_s / (1 + recuts);
+  auto best = solved(problem, s, s.draft.shares, budget_s);
+  for (int round = 0; best && round < recuts; ++round) {
+    auto shares = recut(s.route, s.lengths, problem.vehicles, problem.stations, best->shares,
+                        best->returns.forecast.spray_ends_s);
+    if (same_strips(shares, best->shares)) break;
+    auto other = solved(problem, s, std::move(shares), budget_s);
+    const bool is_better =
+        other && other->returns.forecast.makespan_s < best->returns.forecast.makespan_s;
+    if (!is_better) break;
+    best = std::move(other);
+  }
+  return best;
+}
+
+/// Never above the makespan. An aircraft alone with one station has its solver's tighter bound.
+double lower_bound_s(const FleetProblem& problem, const Sketch& s, const Solved& found) {
+  double bound_s = makespan_bound_s(s.route, s.lengths, problem.vehicles, problem.stations);
+  if (problem.vehicles.size() == 1 && problem.stations.size() == 1) {
+    const planner::ReturnProblem& only = *found.tasks[0].problem;
+    bound_s =
+        std::max(bound_s, only.fly_out_m / only.vehicle.ferry_speed.base() +
+                              only.on_route_s.back() + found.returns.solutions[0].lower_bound_s);
+  }
+  return std::min(bound_s, found.returns.forecast.makespan_s);
 }
 
 }  // namespace
@@ -109,24 +154,25 @@ Expected<FleetPlan, PlanError> plan_fleet(const FleetProblem& problem) {
   auto sketched = best_sketch(problem);
   if (!sketched) return Unexpected{sketched.error()};
   Sketch& s = *sketched;
-  const std::vector<FleetTask> all = tasks(problem, s);
-  auto returns = fleet_returns(all, problem.stations, problem.solver);
-  if (!returns) return Unexpected{returns.error()};
+  auto found = best_solved(problem, s);
+  if (!found) return Unexpected{found.error()};
+  FleetReturns& returns = found->returns;
 
   FleetPlan plan{.route = {},
                  .work_direction_deg = s.work_direction_deg,
                  .uavs = {},
-                 .makespan_s = returns->forecast.makespan_s,
-                 .lower_bound_s = lower_bound_s(problem, s, all, *returns)};
-  for (std::size_t u = 0; u < all.size(); ++u) {
+                 .makespan_s = returns.forecast.makespan_s,
+                 .lower_bound_s = lower_bound_s(problem, s, *found)};
+  for (std::size_t u = 0; u < problem.vehicles.size(); ++u) {
+    const Share& share = found->shares[u];
     plan.uavs.push_back({.vehicle = problem.vehicles[u],
-                         .station = problem.stations[all[u].station],
-                         .strips = s.draft.shares[u].strips,
-                         .cells = cells_of(s.route, s.draft.shares[u].strips),
-                         .solution = std::move(returns->solutions[u]),
-                         .visits = std::move(returns->forecast.visits[u]),
-                         .spray_ends_s = returns->forecast.spray_ends_s[u],
-                         .lands_s = returns->forecast.lands_s[u]});
+                         .station = problem.stations[share.station],
+                         .strips = share.strips,
+                         .cells = cells_of(s.route, share.strips),
+                         .solution = std::move(returns.solutions[u]),
+                         .visits = std::move(returns.forecast.visits[u]),
+                         .spray_ends_s = returns.forecast.spray_ends_s[u],
+                         .lands_s = returns.forecast.lands_s[u]});
   }
   plan.route = std::move(s.route);
   return plan;

@@ -31,17 +31,16 @@ std::vector<SortieFigures> planned_sorties(const planner::Route& route,
   for (std::size_t k = 0; k < sorties.size(); ++k) {
     const planner::PlannedSortie& s = sorties[k];
     const scheduler::Visit* visit = k < uav.visits.size() ? &uav.visits[k] : nullptr;
-    const double flight_s = s.fly_out_s + s.spray_s + s.fly_back_s;
-    const double landed_s = visit ? visit->arrives_s : ready_s + flight_s;
+    const double landed_s = visit ? visit->arrives_s : uav.lands_s;
     const FieldPoint returned = route.centers[uav.cells.first + s.last];
     SortieFigures f{};
     f.start = route.centers[uav.cells.first + s.first];
     f.returned = returned;
     f.spray_m = s.spray_m;
-    f.flight_s = flight_s;
+    f.flight_s = landed_s - ready_s;
     f.pack = s.pack;
     f.battery_used = s.battery_used;
-    f.began_s = landed_s - flight_s;
+    f.began_s = ready_s;
     f.spray_began_s = f.began_s + s.fly_out_s;
     f.spray_ended_s = landed_s - s.fly_back_s;
     f.landed_s = landed_s;

@@ -57,10 +57,13 @@ TEST_CASE("plan_fleet: one aircraft alone gets what the planner finds for it", "
   REQUIRE(alone);
   CHECK(uav.solution.plan.returns == alone->plan.returns);
   CHECK(uav.cells.count == plan->route.centers.size());
-  // Spraying, the way out and what is not spraying; nobody to wait for.
+  // Spraying, the way out and what is not spraying; nobody to wait for. Corners and ramps add up
+  // to a few seconds for each of the 30 strips and returns.
   const double spray_m = 2.0 * (static_cast<double>(plan->route.centers.size()) - 1);
-  CHECK(plan->makespan_s ==
-        Approx(std::sqrt(2.0) / 6 + spray_m / 3 + alone->plan.non_spray_s).epsilon(1e-9));
+  const double constant_s = std::sqrt(2.0) / 6 + spray_m / 3 + alone->plan.non_spray_s;
+  CHECK(plan->makespan_s > constant_s);
+  CHECK(plan->makespan_s < constant_s + 100);
+  CHECK(plan->lower_bound_s <= constant_s);
 }
 
 TEST_CASE("plan_fleet: every strip is somebody's, forecasts agree, and the bound holds",
