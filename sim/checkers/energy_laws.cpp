@@ -17,7 +17,7 @@ bool is_airborne(Phase phase) {
 
 class EnergyLaws final : public Checker {
  public:
-  explicit EnergyLaws(const Facts& facts) : facts_{facts} {
+  explicit EnergyLaws(const Facts& facts) {
     for (const auto& uav : facts.plan.uavs) planned_[uav.vehicle.id] = &uav;
   }
 
@@ -79,7 +79,6 @@ class EnergyLaws final : public Checker {
     if (sortie.serviced) account.filled += sortie.filled;
   }
 
-  const Facts& facts_;
   std::map<AgentId, const scheduler::UavPlan*> planned_;
   std::map<AgentId, Account> accounts_;
 };
