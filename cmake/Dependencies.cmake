@@ -1,9 +1,7 @@
 # Every package that the build looks for. tools/debian-packages.txt names where each comes from.
 find_package(Threads REQUIRED)
-find_package(Eigen3 3.4 REQUIRED)
 find_package(fmt REQUIRED)
 find_package(spdlog REQUIRED)
-find_package(ompl REQUIRED)
 find_package(yaml-cpp REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)

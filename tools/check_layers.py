@@ -22,7 +22,7 @@ MAY_INCLUDE = {
 # Pattern -> the only folders where it may appear.
 CONFINED = {
     r"#include <fast(dds|rtps|cdr)": {"transport"},
-    r"#include <(ompl|geos)": {"planner"},
+    r"#include <(ompl|geos|Eigen)": {"planner"},
     r"#include <yaml-cpp/": {"mission"},
     r"#include <nlohmann/": {"app"},
     r"#include <spdlog/": {"transport", "app"},

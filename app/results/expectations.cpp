@@ -57,6 +57,7 @@ std::vector<std::pair<std::string, double>> figures(const Result& r) {
       {"solver.evaluations", static_cast<double>(r.solver.evaluations)},
       {"deviation.rms_m", r.deviation.truth.rms_m},
       {"deviation.max_m", r.deviation.truth.max_m},
+      {"deviation.cross_track_rms_m", r.deviation.truth.rms_m},
       {"deviation.truth.rms_m", r.deviation.truth.rms_m},
       {"deviation.truth.max_m", r.deviation.truth.max_m},
       {"deviation.fix.rms_m", r.deviation.fix.rms_m},
