@@ -113,22 +113,23 @@ bool same_strips(const std::vector<Share>& a, const std::vector<Share>& b) {
                     [](const Share& x, const Share& y) { return x.strips == y.strips; });
 }
 
-/// The drafted shares solved, and cut again by how long they take as long as that helps.
+/// The drafted shares solved, and cut again a few times by how long they take.
 Expected<Solved, PlanError> best_solved(const FleetProblem& problem, const Sketch& s) {
   if (problem.vehicles.size() == 1) {
     return solved(problem, s, s.draft.shares, problem.solver.budget_s);
   }
   const double budget_s = problem.solver.budget_s / (1 + recuts);
   auto best = solved(problem, s, s.draft.shares, budget_s);
-  for (int round = 0; best && round < recuts; ++round) {
-    auto shares = recut(s.route, s.lengths, problem.vehicles, problem.stations, best->shares,
-                        best->returns.forecast.spray_ends_s);
-    if (same_strips(shares, best->shares)) break;
+  if (!best) return best;
+  Solved latest = *best;
+  for (int round = 0; round < recuts; ++round) {
+    auto shares = recut(s.route, s.lengths, problem.vehicles, problem.stations, latest.shares,
+                        latest.returns.forecast.spray_ends_s);
+    if (same_strips(shares, latest.shares)) break;
     auto other = solved(problem, s, std::move(shares), budget_s);
-    const bool is_better =
-        other && other->returns.forecast.makespan_s < best->returns.forecast.makespan_s;
-    if (!is_better) break;
-    best = std::move(other);
+    if (!other) break;
+    latest = std::move(*other);
+    if (worth(latest.returns.forecast) < worth(best->returns.forecast)) best = latest;
   }
   return best;
 }
