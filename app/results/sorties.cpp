@@ -37,7 +37,7 @@ std::vector<SortieFigures> planned_sorties(const planner::Route& route,
     f.start = route.centers[uav.cells.first + s.first];
     f.returned = returned;
     f.spray_m = s.spray_m;
-    f.flight_s = landed_s - ready_s;
+    f.flight_s = s.fly_out_s + s.spray_s + s.fly_back_s;
     f.pack = s.pack;
     f.battery_used = s.battery_used;
     f.began_s = ready_s;
