@@ -44,7 +44,7 @@ LeastCosts least_costs(const planner::Route& route, const RouteLengths& lengths,
   return {.out_s = *std::min_element(fastest.out_s.begin(), fastest.out_s.end()),
           .spray_mps = fastest.spray_mps,
           .tank_m = fastest.tank_m,
-          .return_s = fastest.fill_base_s + 2.0 * nearest_m / fastest.ferry_mps,
+          .return_s = fastest.fill_base_s + 2.0 * std::max(0.0, nearest_m) / fastest.ferry_mps,
           .fill_s_per_m = fastest.fill_s_per_m};
 }
 

@@ -12,13 +12,12 @@ namespace {
 
 PlannedSortie flown(const ReturnProblem& problem, std::uint32_t first, std::uint32_t last) {
   const double ferry_mps = problem.vehicle.ferry_speed.base();
-  const double out_m = first == 0 ? problem.fly_out_m : problem.home_m[first];
   return {.first = first,
           .last = last,
-          .spray_m = problem.spray_m[last] - problem.spray_m[first],
-          .fly_out_s = out_m / ferry_mps,
-          .spray_s = problem.on_route_s[last] - problem.on_route_s[first],
-          .fly_back_s = problem.home_m[last] / ferry_mps,
+          .spray_m = problem.spray_m[last] - problem.resume_m[first],
+          .fly_out_s = problem.out_m[first] / ferry_mps,
+          .spray_s = problem.on_route_s[last] - problem.resume_s[first],
+          .fly_back_s = problem.back_m[last] / ferry_mps,
           .pack = 1,
           .battery_used = 0.0,
           .battery_swap_s = 0.0,
@@ -67,8 +66,9 @@ ReturnPlan evaluated(const ReturnProblem& problem, const Returns& returns) {
     sortie.battery_swap_s = swap ? problem.station.battery_swap.base() : 0.0;
     sortie.fill_s = fill_time(problem.station, fill_share).base();
     sortie.service_s = service_time(problem.station, swap, fill_share).base();
-    plan.non_spray_s += sortie.service_s + sortie.fly_back_s + next.fly_out_s;
-    plan.round_trips_m += 2.0 * problem.home_m[sortie.last];
+    const double skipped_s = problem.resume_s[next.first] - problem.on_route_s[next.first];
+    plan.non_spray_s += sortie.service_s + sortie.fly_back_s + (next.fly_out_s - skipped_s);
+    plan.round_trips_m += problem.back_m[sortie.last] + problem.out_m[next.first];
   }
   return plan;
 }

@@ -19,7 +19,8 @@ Route route_with_ferry() {
               .centers = {at_m(1, 1), at_m(1, 3), at_m(1, 5), at_m(9, 1), at_m(9, 3), at_m(9, 5)},
               .strips = {},
               .missed = {}};
-  route.strips = {{{0, 3}, at_m(1, 1), at_m(1, 5), false}, {{3, 3}, at_m(9, 1), at_m(9, 5), false}};
+  route.strips = {centre_strip({0, 3}, at_m(1, 1), at_m(1, 5), false),
+                  centre_strip({3, 3}, at_m(9, 1), at_m(9, 5), false)};
   return route;
 }
 
