@@ -32,7 +32,7 @@ TEST_CASE("problem: a ferry takes time and sprays nothing", "[planner]") {
   CHECK(p.strip_starts == std::vector<std::uint32_t>{0, 3});
   // Four metres at 3 m/s, then hypot(8, 4) = 8.944 m at 6 m/s.
   CHECK_THAT(p.on_route_s[3], WithinAbs(4.0 / 3.0 + 8.94427 / 6.0, 1e-5));
-  CHECK_THAT(p.home_m[3], WithinAbs(9.05539, 1e-5));  // hypot(9, 1)
+  CHECK_THAT(p.back_m[3], WithinAbs(9.05539, 1e-5));  // hypot(9, 1)
   CHECK(p.fly_out_m == 0.0);                          // it stands on the first cell
 }
 
