@@ -70,6 +70,7 @@ void AgentNode::pass_cells(double reached_m, Instant t) {
       if (!is_licensed()) return;
       pass_cell(t);
     }
+    if (route_piece_ == current && is_on_tail() && reached_m >= piece.close_m) end_piece(t);
     if (route_piece_ == current) return;
   }
 }
@@ -80,27 +81,37 @@ void AgentNode::pass_cell(Instant t) {
   if (log_.would_break(cell)) flush_flight_log();
   log_.cell(cell, strip, aircraft_);
   const bool closed = ledger_.spray(cell, t);
-  const bool was_last = order_->spray();
-  if (++route_cell_ == strip.cells.count) {
-    route_cell_ = 0;
-    ++route_piece_;
-    flush_flight_log();
+  order_->spray();
+  if (closed) next_report_ = t;
+  if (++route_cell_ == strip.cells.count && !route_->pieces[route_piece_].has_tail()) {
+    end_piece(t);
   }
-  if (was_last) {
+  expect_next_cell();
+}
+
+// Past all cells of a piece, with the valve still open.
+bool AgentNode::is_on_tail() const {
+  return route_cell_ == route_->pieces[route_piece_].piece.cells.count;
+}
+
+void AgentNode::end_piece(Instant t) {
+  const FieldPoint exit = route_->pieces[route_piece_].piece.exit;
+  route_cell_ = 0;
+  ++route_piece_;
+  flush_flight_log();
+  if (route_piece_ == route_->pieces.size()) {
     phase_ = Phase::fly_back;
     leaving_.reset();
     stop_m_ = no_stop;
     sortie_.spray_ended = t;
-    sortie_.returned_at = strip.to;
+    sortie_.returned_at = exit;
   }
   expect_next_cell();
-  if (closed) next_report_ = t;
 }
 
 void AgentNode::expect_next_cell() {
-  if (route_piece_ < route_->pieces.size()) {
-    next_cell_m_ = route_->cell_m(route_piece_, route_cell_);
-  }
+  if (route_piece_ >= route_->pieces.size()) return;
+  next_cell_m_ = is_on_tail() ? no_stop : route_->cell_m(route_piece_, route_cell_);
 }
 
 void AgentNode::move_valve(bool open, Instant t) {
@@ -141,8 +152,8 @@ void AgentNode::leave(CloseReason reason, Instant t) {
   stop_m_ = leaving_stop_m();
 }
 
-// The centre of the next cell at which it can stop, so that work resumes exactly there; anywhere
-// where nothing is sprayed.
+// The centre of the next cell at which it can stop, so that work resumes exactly there, or the end
+// of the piece; anywhere where nothing is sprayed.
 double AgentNode::leaving_stop_m() const {
   const double soonest_m =
       aircraft_.pilot().pace().along_m() + aircraft_.pilot().pace().braking_m();
@@ -152,7 +163,8 @@ double AgentNode::leaving_stop_m() const {
   const PieceOnPath& piece = route_->pieces[route_piece_];
   if (progress_m_ < piece.open_m) return std::min(stop_m_, soonest_m);
   for (std::uint32_t i = route_cell_; i < piece.piece.cells.count; ++i) {
-    const double cell_m = route_->cell_m(route_piece_, i);
+    const bool is_end = i + 1 == piece.piece.cells.count && piece.has_tail();
+    const double cell_m = is_end ? piece.close_m : route_->cell_m(route_piece_, i);
     if (cell_m >= soonest_m) return std::min(stop_m_, cell_m);
   }
   return std::min(stop_m_, piece.close_m);
@@ -221,7 +233,10 @@ void AgentNode::relicense() {
     const CellRange cells = route_->pieces[i].piece.cells;
     const bool ends_here = licensed > cells.first && licensed <= end(cells);
     if (ends_here && licensed < order_->sortie_end()) {
-      stop_m_ = route_->cell_m(i, licensed - 1 - cells.first);
+      const PieceOnPath& piece = route_->pieces[i];
+      stop_m_ = licensed == end(cells) && piece.has_tail()
+                    ? piece.close_m
+                    : route_->cell_m(i, licensed - 1 - cells.first);
     }
   }
   if (phase_ == Phase::hold) end_hold();

@@ -48,6 +48,8 @@ class AgentNode {
   void work(Instant t);
   void pass_cells(double reached_m, Instant t);
   void pass_cell(Instant t);
+  bool is_on_tail() const;
+  void end_piece(Instant t);
   void expect_next_cell();
   void move_valve(bool open, Instant t);
   void watch_stores(Instant t);

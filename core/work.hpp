@@ -21,13 +21,19 @@ constexpr std::uint32_t end(CellRange r) { return r.first + r.count; }
 
 /// A straight run of cells inside one strip.
 ///
-/// The valve is open from `entry` over `from` to `to`, and closed nowhere between. Where a piece
-/// continues sprayed ground, `entry` is the centre of the cell before its first; where it starts
-/// afresh, `entry == from`. `from` and `to` are the centres of its first and last cell; centres
-/// are evenly spaced between them.
+/// The valve is open from `entry` over `from` and `to` to `exit`, and closed nowhere between.
+/// `from` and `to` are the centres of its first and last cell; centres are evenly spaced between
+/// them.
+///
+/// Sprayed from centre to centre, a piece ends at `exit == to`, and begins at `entry == from` or,
+/// where it continues sprayed ground, at the centre of the cell before its first. Sprayed from end
+/// to end, all four lie on one line, `entry` and `exit` at the outer edges of the end cells.
 struct Piece {
   CellRange cells;
-  FieldPoint entry, from, to;
+  FieldPoint entry, from, to, exit;
+  /// Way points from the exit of the piece before in the same sortie to `entry`, flown with the
+  /// valve closed; none: straight.
+  std::vector<FieldPoint> approach{};
 };
 
 /// One trip from the supply station and back: what to spray in between, in order.

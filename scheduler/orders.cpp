@@ -2,37 +2,42 @@
 
 #include "core/require.hpp"
 
-#include <algorithm>
+#include <utility>
 
 namespace furrow::scheduler {
 namespace {
 
-/// The strip that holds `cell`.
-std::size_t strip_of(const planner::Route& route, std::uint32_t cell) {
-  const auto after =
-      std::upper_bound(route.strips.begin(), route.strips.end(), cell,
-                       [](std::uint32_t c, const planner::Strip& s) { return c < s.cells.first; });
-  return static_cast<std::size_t>(after - route.strips.begin()) - 1;
+/// A piece of a strip that is sprayed from end to end, as the first of its sortie.
+Piece end_piece(const planner::Route& route, const planner::Strip& strip, CellRange cells) {
+  return {.cells = cells,
+          .entry = planner::start_point(route, strip, cells.first),
+          .from = route.centers[cells.first],
+          .to = route.centers[end(cells) - 1],
+          .exit = planner::stop_point(route, strip, end(cells) - 1)};
 }
 
 Piece piece(const planner::Route& route, const planner::Strip& strip, CellRange cells,
             std::uint32_t share_first) {
+  if (planner::sprays_ends(strip)) return end_piece(route, strip, cells);
   const bool is_strip_start = cells.first == strip.cells.first;
   const bool continues = cells.first > share_first && (!is_strip_start || strip.continues);
   return {.cells = cells,
           .entry = route.centers[continues ? cells.first - 1 : cells.first],
           .from = route.centers[cells.first],
-          .to = route.centers[end(cells) - 1]};
+          .to = route.centers[end(cells) - 1],
+          .exit = route.centers[end(cells) - 1]};
 }
 
 /// The cells first .. last - 1 of the route, one piece per strip.
 SortieOrder sortie_order(const planner::Route& route, const UavPlan& uav, std::uint32_t first,
                          std::uint32_t last) {
   SortieOrder order{.pieces = {}, .station = uav.station.id};
-  for (std::size_t s = strip_of(route, first); first < last; ++s) {
+  for (std::size_t s = planner::strip_of(route, first); first < last; ++s) {
     const planner::Strip& strip = route.strips[s];
     const std::uint32_t stop = std::min(last, end(strip.cells));
-    order.pieces.push_back(piece(route, strip, {first, stop - first}, uav.cells.first));
+    Piece next = piece(route, strip, {first, stop - first}, uav.cells.first);
+    if (!order.pieces.empty()) next.approach = strip.approach;
+    order.pieces.push_back(std::move(next));
     first = stop;
   }
   return order;

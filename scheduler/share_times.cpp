@@ -20,21 +20,28 @@ double fill_s_per_m(const Vehicle& vehicle, const Station& station) {
 
 RouteLengths route_lengths(const planner::Route& route, std::span<const Station> stations) {
   RouteLengths lengths;
-  double moves = 0.0, ferry_m = 0.0;  // moves are counted, so that sums do not drift
+  double ferry_m = 0.0;
+  const auto cells = static_cast<std::uint32_t>(route.centers.size());
+  const std::vector<planner::CellStop> stops = planner::cell_stops(route, {0, cells});
+  for (const planner::CellStop& at : stops) {
+    ferry_m += at.approach_m;
+    lengths.spray_m.push_back(at.spray_m);
+    lengths.ferry_m.push_back(ferry_m);
+  }
   for (const planner::Strip& strip : route.strips) {
-    for (std::uint32_t c = strip.cells.first; c < end(strip.cells); ++c) {
-      const bool jumps = c == strip.cells.first && !strip.continues;
-      if (c > 0 && jumps) ferry_m += distance(route.centers[c - 1], route.centers[c]).base();
-      if (c > 0 && !jumps) moves += 1.0;
-      lengths.spray_m.push_back(moves * route.cell.base());
-      lengths.ferry_m.push_back(ferry_m);
-    }
+    const std::uint32_t first = strip.cells.first;
+    const bool from_end = planner::sprays_ends(strip);
+    lengths.begin_m.push_back(!from_end    ? lengths.spray_m[first]
+                              : first == 0 ? 0.0
+                                           : lengths.spray_m[first - 1]);
   }
   lengths.nearest_m.assign(route.centers.size(), std::numeric_limits<double>::infinity());
   for (const Station& station : stations) {
     std::vector<double>& home_m = lengths.home_m.emplace_back();
-    for (std::size_t c = 0; c < route.centers.size(); ++c) {
-      home_m.push_back(distance(route.centers[c], station.position).base());
+    for (std::size_t c = 0; c < stops.size(); ++c) {
+      const double trip_m = distance(stops[c].stop, station.position).base() +
+                            distance(stops[c].resume, station.position).base();
+      home_m.push_back(0.5 * (trip_m - stops[c].skipped_m));
       lengths.nearest_m[c] = std::min(lengths.nearest_m[c], home_m[c]);
     }
   }
@@ -51,7 +58,7 @@ Pace pace(const planner::Route& route, const Vehicle& vehicle, const Station& st
          .home_m = home_m,
          .out_s = {}};
   for (const planner::Strip& strip : route.strips) {
-    p.out_s.push_back((distance(vehicle.home, strip.from) / vehicle.ferry_speed).base());
+    p.out_s.push_back((distance(vehicle.home, strip.begin) / vehicle.ferry_speed).base());
   }
   return p;
 }
@@ -72,7 +79,7 @@ Pace fastest_pace(const planner::Route& route, std::span<const Vehicle> vehicles
   }
   for (std::size_t i = 0; i < route.strips.size(); ++i) {
     const auto closer = [&](FieldPoint from) {
-      const double out_s = distance(from, route.strips[i].from).base() / best.ferry_mps;
+      const double out_s = distance(from, route.strips[i].begin).base() / best.ferry_mps;
       best.out_s[i] = std::min(best.out_s[i], out_s);
     };
     for (const Vehicle& v : vehicles) closer(v.home);
@@ -88,11 +95,13 @@ GrowingShare::GrowingShare(const planner::Route& route, const RouteLengths& leng
       pace_{pace},
       first_cell_{0},
       next_strip_{first},
+      first_m_{0},
       base_s_{0} {
   if (!can_grow()) return;
   first_cell_ = route.strips[first].cells.first;
-  base_s_ = pace.out_s[first] - lengths.spray_m[first_cell_] / pace.spray_mps -
-            lengths.ferry_m[first_cell_] / pace.ferry_mps;
+  first_m_ = lengths.begin_m[first];
+  base_s_ =
+      pace.out_s[first] - first_m_ / pace.spray_mps - lengths.ferry_m[first_cell_] / pace.ferry_mps;
 }
 
 bool GrowingShare::can_grow() const { return next_strip_ < route_.strips.size(); }
@@ -100,7 +109,6 @@ bool GrowingShare::can_grow() const { return next_strip_ < route_.strips.size();
 double GrowingShare::grow() {
   require(can_grow(), "a share grows within its route");
   const CellRange cells = route_.strips[next_strip_++].cells;
-  const double first_m = lengths_.spray_m[first_cell_];
   double sprayed_s = 0.0;
   for (std::uint32_t c = cells.first; c < end(cells); ++c) {
     const double at_m = lengths_.spray_m[c];
@@ -108,7 +116,7 @@ double GrowingShare::grow() {
     while (head_ < window_.size() && at_m - lengths_.spray_m[window_[head_].cell] > pace_.tank_m) {
       ++head_;
     }
-    const double first_sortie_s = at_m - first_m <= pace_.tank_m
+    const double first_sortie_s = at_m - first_m_ <= pace_.tank_m
                                       ? base_s_ + route_s
                                       : std::numeric_limits<double>::infinity();
     const double refilled_s = head_ < window_.size()
@@ -116,6 +124,8 @@ double GrowingShare::grow() {
                                   : std::numeric_limits<double>::infinity();
     sprayed_s = std::min(first_sortie_s, refilled_s);
     parents_.push_back(refilled_s < first_sortie_s ? window_[head_].cell : none);
+    // No return is planned after the first cell alone; see planner::ReturnProblem.
+    if (c == first_cell_ && at_m > first_m_) continue;
     // What a later cell pays when the return before it is made here, its own terms left out.
     const double key_s = sprayed_s - route_s + 2.0 * pace_.home_m[c] / pace_.ferry_mps +
                          pace_.fill_base_s - pace_.fill_s_per_m * at_m;

@@ -14,10 +14,13 @@ namespace furrow::scheduler {
 
 /// Distances along a route and from it, one entry per cell, in metres.
 struct RouteLengths {
-  std::vector<double> spray_m;              ///< Sprayed distance from the first cell.
-  std::vector<double> ferry_m;              ///< Distance ferried between strips so far.
-  std::vector<std::vector<double>> home_m;  ///< By station: straight distance to it.
-  std::vector<double> nearest_m;            ///< Straight distance to the nearest station.
+  std::vector<double> spray_m;  ///< Sprayed distance up to the stop of the cell.
+  std::vector<double> begin_m;  ///< By strip: sprayed distance where it begins.
+  std::vector<double> ferry_m;  ///< Distance ferried between strips so far.
+  /// By station: half of what a return after the cell adds to the way: to the station and to where
+  /// spraying resumes, less the ferry that it replaces (see planner::CellStop).
+  std::vector<std::vector<double>> home_m;
+  std::vector<double> nearest_m;  ///< The least of these.
 };
 
 RouteLengths route_lengths(const planner::Route& route, std::span<const Station> stations);
@@ -72,6 +75,7 @@ class GrowingShare {
   const RouteLengths& lengths_;
   const Pace& pace_;
   std::uint32_t first_cell_, next_strip_;
+  double first_m_;                   ///< Sprayed distance where the share begins.
   double base_s_;                    ///< First flight minus the route time at the first cell.
   std::vector<Candidate> window_{};  ///< Keys rise from `head_` on; a queue in a vector.
   std::size_t head_ = 0;

@@ -131,6 +131,9 @@ void fields(D& d, Seen<D, Command>& m, fleet::v1::Command& w) {
       fields(p, piece.entry, q.entry());
       fields(p, piece.from, q.first());
       fields(p, piece.to, q.last());
+      fields(p, piece.exit, q.exit());
+      p.sequence(piece.approach, q.approach(),
+                 [](D& a, auto& point, fleet::v1::Point& at) { fields(a, point, at); });
     });
   });
 }

@@ -10,7 +10,11 @@ namespace {
 
 double offset_m(const Piece& strip, Xy place_m) {
   // A piece of one cell runs in the direction in which it is entered.
-  const FieldPoint behind = strip.from == strip.to ? strip.entry : strip.from;
+  const bool is_one = strip.from == strip.to;
+  if (is_one && !(strip.exit == strip.to)) {
+    return cross_track_m(xy_m(strip.entry), xy_m(strip.exit), place_m);
+  }
+  const FieldPoint behind = is_one ? strip.entry : strip.from;
   return cross_track_m(xy_m(behind), xy_m(strip.to), place_m);
 }
 

@@ -19,7 +19,10 @@ std::optional<std::string> fault_in(const Piece& p, std::uint32_t not_before) {
   if (p.cells.count == 0) return name + " has no cells";
   if (p.cells.first < not_before) return name + " is out of order";
   if (end(p.cells) < p.cells.first) return name + " counts past the last cell there can be";
-  if (!is_finite(p.entry) || !is_finite(p.from) || !is_finite(p.to)) return name + " is nowhere";
+  if (!is_finite(p.entry) || !is_finite(p.from) || !is_finite(p.to) || !is_finite(p.exit) ||
+      !std::all_of(p.approach.begin(), p.approach.end(), is_finite)) {
+    return name + " is nowhere";
+  }
   if ((p.cells.count == 1) != (p.from == p.to)) {
     return name + " has " + std::to_string(p.cells.count) + " cells on " +
            std::to_string(distance(p.from, p.to).base()) + " m";
@@ -52,6 +55,7 @@ std::vector<Piece> Order::rest_of_sortie() const {
     Piece& cut = rest.front();
     cut.entry = cell_center(cut, in_piece_ - 1);
     cut.from = cell_center(cut, in_piece_);
+    cut.approach.clear();
     cut.cells = {cut.cells.first + in_piece_, cut.cells.count - in_piece_};
   }
   return rest;

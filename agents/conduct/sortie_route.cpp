@@ -29,11 +29,21 @@ SortieRoute sortie_route(Xy from_m, std::span<const Piece> pieces, Xy to_m, cons
                     .spray_m = 0.0};
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const Piece& piece = pieces[i];
-    const bool continues = i > 0 && norm(xy_m(piece.entry) - xy_m(pieces[i - 1].to)) < same_place_m;
+    const bool continues =
+        i > 0 && norm(xy_m(piece.entry) - xy_m(pieces[i - 1].exit)) < same_place_m;
+    if (i > 0) {
+      for (const FieldPoint at : piece.approach) route.path.add(xy_m(at), ferry);
+    }
     const double open = route.path.add(xy_m(piece.entry), continues ? spray : ferry);
-    const double from = route.path.add(xy_m(piece.from), spray);
-    const double close = route.path.add(xy_m(piece.to), spray);
-    route.pieces.push_back({piece, open, close, from, spacing(piece), 0.0});
+    if (piece.exit == piece.to) {
+      const double from = route.path.add(xy_m(piece.from), spray);
+      const double close = route.path.add(xy_m(piece.to), spray);
+      route.pieces.push_back({piece, open, close, from, spacing(piece), 0.0});
+    } else {  // one straight leg
+      const double from = open + distance(piece.entry, piece.from).base();
+      const double close = route.path.add(xy_m(piece.exit), spray);
+      route.pieces.push_back({piece, open, close, from, spacing(piece), 0.0});
+    }
   }
   route.path.add(to_m, ferry);
   route.path.finish();

@@ -15,6 +15,9 @@ struct PieceOnPath {
   double open_m, close_m;        ///< The valve may be open between.
   double from_leg_m, spacing_m;  ///< First cell, and from cell to cell, along the legs.
   double from_m;                 ///< First cell.
+
+  /// Whether the valve stays open beyond the centre of the last cell.
+  bool has_tail() const { return !(piece.exit == piece.to); }
 };
 
 /// A sortie from where the aircraft is, over its pieces, to the station.
@@ -28,7 +31,8 @@ struct SortieRoute {
 };
 
 /// The route over `pieces`, which may be empty: then straight to `to`. Ferries are flown at ferry
-/// speed with the valve closed, corners cut by at most half a swath.
+/// speed with the valve closed, by the pieces' approaches but for the first, corners cut by at most
+/// half a swath: so far inside a corner the path leaves the polyline, and nowhere else.
 SortieRoute sortie_route(Xy from_m, std::span<const Piece> pieces, Xy to_m, const Vehicle& vehicle);
 
 /// Time for a straight way from rest to rest at ferry speed [s].

@@ -44,7 +44,10 @@ class Hash {
         v.battery_reserve, v.tank, v.min_turn_radius, v.acceleration_limit, v.gnss.sigma,
         v.gnss.bias);
   }
-  void operator()(const Piece& p) { all(p.cells, p.entry, p.from, p.to); }
+  void operator()(const Piece& p) {
+    all(p.cells, p.entry, p.from, p.to);
+    if (!(p.exit == p.to) || !p.approach.empty()) all(p.exit, p.approach);
+  }
   void operator()(const SortieOrder& s) { all(s.pieces, s.station); }
   void operator()(const GrantWindow& w) { all(w.id, w.cells); }
   void operator()(const Closure& c) { all(c.grant, c.cells, c.sprayed, c.reason, c.at); }

@@ -68,7 +68,7 @@ void add_work(Json& features, const planner::Route& route, const scheduler::UavP
   for (std::uint32_t i = uav.strips.first; i < end(uav.strips); ++i) {
     const planner::Strip& strip = route.strips[i];
     features.push_back(feature("LineString",
-                               Json::array({position(strip.from), position(strip.to)}),
+                               Json::array({position(strip.begin), position(strip.end)}),
                                {{"kind", "strip"},
                                 {"strip", i + 1},
                                 {"uav", id},
@@ -76,7 +76,9 @@ void add_work(Json& features, const planner::Route& route, const scheduler::UavP
   }
   const auto& plan = uav.solution.plan;
   for (std::size_t k = 0; k < plan.returns.size(); ++k) {
-    const FieldPoint at = route.centers[uav.cells.first + plan.returns[k]];
+    const std::uint32_t last = uav.cells.first + plan.returns[k];
+    const FieldPoint at =
+        planner::stop_point(route, route.strips[planner::strip_of(route, last)], last);
     Json properties{{"kind", "return_point"}, {"uav", id}, {"sortie", k + 1}};
     if (k < plan.sorties.size()) properties["spray_m"] = rounded(plan.sorties[k].spray_m);
     features.push_back(feature("Point", position(at), std::move(properties)));

@@ -21,6 +21,10 @@ double spray_began_s(const FlownUav& flown, const SortieReport& sortie, FieldPoi
   return std::min(at_s(sortie.began) + out.base(), at_s(sortie.spray_ended));
 }
 
+FieldPoint start_of(const planner::Route& route, std::uint32_t cell) {
+  return planner::start_point(route, route.strips[planner::strip_of(route, cell)], cell);
+}
+
 }  // namespace
 
 std::vector<SortieFigures> planned_sorties(const planner::Route& route,
@@ -32,9 +36,15 @@ std::vector<SortieFigures> planned_sorties(const planner::Route& route,
     const planner::PlannedSortie& s = sorties[k];
     const scheduler::Visit* visit = k < uav.visits.size() ? &uav.visits[k] : nullptr;
     const double landed_s = visit ? visit->arrives_s : uav.lands_s;
-    const FieldPoint returned = route.centers[uav.cells.first + s.last];
+    const auto starts_after = [&](std::uint32_t index) {
+      const std::uint32_t cell = uav.cells.first + index;
+      return index == 0 ? start_of(route, cell) : planner::resume_point(route, cell);
+    };
+    const std::uint32_t last = uav.cells.first + s.last;
+    const FieldPoint returned =
+        planner::stop_point(route, route.strips[planner::strip_of(route, last)], last);
     SortieFigures f{};
-    f.start = route.centers[uav.cells.first + s.first];
+    f.start = starts_after(s.first);
     f.returned = returned;
     f.spray_m = s.spray_m;
     f.flight_s = s.fly_out_s + s.spray_s + s.fly_back_s;
@@ -45,7 +55,9 @@ std::vector<SortieFigures> planned_sorties(const planner::Route& route,
     f.spray_ended_s = landed_s - s.fly_back_s;
     f.landed_s = landed_s;
     if (visit) {
-      f.round_trip_m = 2 * distance(returned, uav.station.position).base();
+      f.round_trip_m = (distance(returned, uav.station.position) +
+                        distance(starts_after(s.last), uav.station.position))
+                           .base();
       f.battery_swap_s = s.battery_swap_s;
       f.fill_s = s.fill_s;
       f.fill = k + 1 < sorties.size() ? sorties[k + 1].spray_m / tank_range(uav.vehicle).base() : 0;

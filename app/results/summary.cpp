@@ -10,6 +10,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <span>
 
 namespace furrow::app {
 namespace {
@@ -19,6 +20,17 @@ const char* name(mission::Fault::Kind kind) {
     case mission::Fault::Kind::agent_kill: return "agent_kill";
   }
   return "unknown";
+}
+
+// Each cell's length as a share of the nominal cell: 1 where cells are squares.
+std::vector<double> cell_shares(const planner::Route& route) {
+  std::vector<double> shares = planner::cell_lengths_m(route);
+  for (double& length : shares) length /= route.cell.base();
+  return shares;
+}
+
+double sum(std::span<const double> shares) {
+  return std::accumulate(shares.begin(), shares.end(), 0.0);
 }
 
 double cell_area_m2(const MissionRecord& record) {
@@ -33,7 +45,7 @@ std::optional<double> ratio_gap(double value, double bound) {
 FieldFigures field_figures(const MissionRecord& record) {
   const planner::Route& route = record.plan.route;
   double strips_m = 0;
-  for (const planner::Strip& s : route.strips) strips_m += distance(s.from, s.to).base();
+  for (const planner::Strip& s : route.strips) strips_m += distance(s.begin, s.end).base();
   return {.area_m2 = area(record.scenario.field).base(),
           .strips = static_cast<std::uint32_t>(route.strips.size()),
           .strip_length_m = strips_m,
@@ -46,12 +58,13 @@ CoverageFigures planned_coverage(const MissionRecord& record) {
   for (const scheduler::UavPlan& uav : record.plan.uavs) {
     for (std::uint32_t i = uav.cells.first; i < end(uav.cells); ++i) ++times[i];
   }
+  const std::vector<double> shares = cell_shares(route);
   double covered = 0, repeated = 0;
-  for (const std::uint32_t n : times) {
-    covered += n > 0;
-    repeated += n > 1 ? n - 1 : 0;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    covered += times[i] > 0 ? shares[i] : 0;
+    repeated += times[i] > 1 ? shares[i] * (times[i] - 1) : 0;
   }
-  const double cells = static_cast<double>(times.size());
+  const double cells = sum(shares);
   const double unrouted = static_cast<double>(route.missed.size());
   const double cell_m2 = cell_area_m2(record);
   return {.covered_m2 = covered * cell_m2,
@@ -67,16 +80,19 @@ CoverageFigures flown_coverage(const MissionRecord& record, const Flown& flown,
                                const FootprintFigures& wetted) {
   std::vector<std::uint32_t> passes(flown.proofs.size());
   for (const Pass& pass : flown.passes) ++passes[pass.cell];
+  const std::vector<double> shares = cell_shares(record.plan.route);
   double covered = 0, repeated = 0, uncertain = 0;
   for (std::size_t i = 0; i < passes.size(); ++i) {
     const std::uint32_t times = std::max(passes[i], flown.proofs[i]);
-    covered += flown.proofs[i] > 0;
-    repeated += times > 1 ? times - 1 : 0;
-    uncertain += flown.proofs[i] == 0 && passes[i] > 0;
+    covered += flown.proofs[i] > 0 ? shares[i] : 0;
+    repeated += times > 1 ? shares[i] * (times - 1) : 0;
+    uncertain += flown.proofs[i] == 0 && passes[i] > 0 ? shares[i] : 0;
   }
-  const double cells = static_cast<double>(passes.size());
+  const double cells = sum(shares);
   const double unrouted = static_cast<double>(record.plan.route.missed.size());
-  const double abandoned = flown.last_word ? flown.last_word->abandoned_cells : 0;
+  // The scheduler gives their number only: cells of mean length.
+  const double mean = passes.empty() ? 1.0 : cells / static_cast<double>(passes.size());
+  const double abandoned = mean * (flown.last_word ? flown.last_word->abandoned_cells : 0);
   const double cell_m2 = cell_area_m2(record);
   return {.covered_m2 = covered * cell_m2,
           .missed_m2 = (cells - covered + unrouted) * cell_m2,
@@ -148,11 +164,11 @@ double planned_outside_m(const Field& field, const std::vector<UavFigures>& uavs
   return sum_m;
 }
 
-UavFigures common_figures(const scheduler::UavPlan& uav, double cell_m2) {
+UavFigures common_figures(const scheduler::UavPlan& uav, double area_m2) {
   UavFigures f{};
   f.id = number(uav.vehicle.id);
   f.strips = uav.strips.count;
-  f.area_m2 = uav.cells.count * cell_m2;
+  f.area_m2 = area_m2;
   f.planned_spray_ended_s = uav.spray_ends_s;
   f.planned_non_spray_s = uav.solution.plan.non_spray_s;
   f.lower_bound_s = uav.solution.lower_bound_s;
@@ -161,8 +177,8 @@ UavFigures common_figures(const scheduler::UavPlan& uav, double cell_m2) {
 }
 
 UavFigures planned_figures(const planner::Route& route, const scheduler::UavPlan& uav,
-                           double cell_m2) {
-  UavFigures f = common_figures(uav, cell_m2);
+                           double area_m2) {
+  UavFigures f = common_figures(uav, area_m2);
   f.sorties = planned_sorties(route, uav);
   for (const planner::PlannedSortie& s : uav.solution.plan.sorties) {
     f.spray_s += s.spray_s;
@@ -176,8 +192,8 @@ UavFigures planned_figures(const planner::Route& route, const scheduler::UavPlan
 }
 
 UavFigures flown_figures(const FlownUav& flown, const scheduler::UavPlan& uav, bool lost,
-                         double cell_m2) {
-  UavFigures f = common_figures(uav, cell_m2);
+                         double area_m2) {
+  UavFigures f = common_figures(uav, area_m2);
   f.lost = lost;
   f.sorties = flown_sorties(flown, uav);
   for (const SortieReport& s : flown.sorties) f.ferry_m += s.ferried.base();
@@ -307,12 +323,14 @@ Result summary(const MissionRecord& record, const Flown& flown) {
   r.mode = record.mode;
   r.partial = record.partial;
   r.field = field_figures(record);
-  const double cell_m2 = cell_area_m2(record);
+  const std::vector<double> shares = cell_shares(record.plan.route);
   for (std::size_t i = 0; i < record.plan.uavs.size(); ++i) {
     const scheduler::UavPlan& uav = record.plan.uavs[i];
+    const std::span<const double> flown_shares{shares.data() + uav.cells.first, uav.cells.count};
+    const double area_m2 = sum(flown_shares) * cell_area_m2(record);
     r.uavs.push_back(
-        is_flown ? flown_figures(flown.uavs[i], uav, flown.lost.contains(uav.vehicle.id), cell_m2)
-                 : planned_figures(record.plan.route, uav, cell_m2));
+        is_flown ? flown_figures(flown.uavs[i], uav, flown.lost.contains(uav.vehicle.id), area_m2)
+                 : planned_figures(record.plan.route, uav, area_m2));
   }
   if (is_flown) {
     r.footprint = footprint(record.scenario.field, record.plan.route, flown.passes,

@@ -7,22 +7,86 @@
 
 namespace furrow::planner {
 
-/// A straight run of cells, flown in one go. `from` and `to` are the centres of its end cells.
+/// A straight run of cells, flown in one go in any direction. Its cells divide it equally; `from`
+/// and `to` are the centres of its end cells.
+///
+/// The valve is open from `begin` over `from` and `to` to `end`. Where cells are sprayed from
+/// centre to centre (grid), begin == from and end == to; where a strip is sprayed from end to end
+/// (swath), they lie half a cell beyond.
 struct Strip {
   CellRange cells;
   FieldPoint from, to;
+  FieldPoint begin, end;
   /// Whether the way here from the strip before is a single sprayed move between neighbouring
   /// cells; otherwise it is a ferry with the valve closed. False for the first strip.
   bool continues;
+  /// Way points of that ferry between the end of the strip before and `begin`; none: straight.
+  std::vector<FieldPoint> approach{};
 };
+
+/// A strip that is sprayed from centre to centre of its cells.
+inline Strip centre_strip(CellRange cells, FieldPoint from, FieldPoint to, bool continues) {
+  return {cells, from, to, from, to, continues, {}};
+}
+
+/// A strip of `cells` that is sprayed from end to end, reached with the valve closed.
+/// @param cells  At least one.
+Strip end_strip(CellRange cells, FieldPoint begin, FieldPoint end,
+                std::vector<FieldPoint> approach);
+
+/// Whether the strip is sprayed beyond the centres of its end cells.
+inline bool sprays_ends(const Strip& strip) {
+  return !(strip.begin == strip.from && strip.end == strip.to);
+}
 
 /// The order in which a field is covered: where every coverage model ends and all further planning
 /// starts.
 struct Route {
-  Length cell;                      ///< Distance between the centres of neighbouring cells.
+  Length cell;                      ///< Nominal side of a cell: the swath.
   std::vector<FieldPoint> centers;  ///< N cells in the order flown, N >= 1.
   std::vector<Strip> strips;        ///< Contiguous, in order; together all N cells.
   std::vector<FieldPoint> missed;   ///< Centres of workable cells that the route leaves out.
 };
+
+/// A route along `strips`, cells and centres filled in: each strip is divided into as many equal
+/// cells as come closest to `cell`.
+/// @param strips  Their `begin`, `end` and `approach` count, not empty, none without length.
+Route end_to_end_route(Length cell, std::vector<Strip> strips);
+
+/// Index of the strip that holds `cell`. @pre The route has that cell.
+std::size_t strip_of(const Route& route, std::uint32_t cell);
+
+/// Where an aircraft that returns after `cell` has stopped spraying: the centre of the cell in a
+/// strip sprayed from centre to centre, else the far edge of the cell.
+FieldPoint stop_point(const Route& route, const Strip& strip, std::uint32_t cell);
+
+/// Where spraying of `cell` begins if the cell before was sprayed on another sortie.
+FieldPoint start_point(const Route& route, const Strip& strip, std::uint32_t cell);
+
+/// Where spraying goes on after a return that followed `cell`: at the beginning of the next strip
+/// if the cell ended a strip that is sprayed from end to end, else where it stopped.
+FieldPoint resume_point(const Route& route, std::uint32_t cell);
+
+/// Length sprayed per cell: the nominal one from centre to centre, else that of the strip.
+Length cell_length(const Route& route, const Strip& strip);
+
+/// The same for every cell, metres.
+std::vector<double> cell_lengths_m(const Route& route);
+
+/// Length of the ferry from the end of `before` to the beginning of `strip`.
+Length approach_length(const Strip& before, const Strip& strip);
+
+/// A cell as something to return after, in metres.
+struct CellStop {
+  FieldPoint stop;    ///< Where the valve closes when the aircraft returns after this cell.
+  FieldPoint resume;  ///< See `resume_point`; within the range.
+  double spray_m;     ///< Sprayed from the start of the range up to `stop`.
+  double approach_m;  ///< Ferried from the cell before to this one; 0 within a strip.
+  double skipped_m;   ///< Of the next approach, what a return after this cell saves.
+};
+
+/// The stops of `cells`, as if their first were the first of a share.
+/// @pre `cells` is not empty and within the route.
+std::vector<CellStop> cell_stops(const Route& route, CellRange cells);
 
 }  // namespace furrow::planner

@@ -209,10 +209,9 @@ std::vector<Strip> strips_of(const Grid& grid, const Walk& walk) {
       ++end;
     }
     strips.push_back(
-        {.cells = {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(end - first)},
-         .from = grid.center(cells[first].x, cells[first].y),
-         .to = grid.center(cells[end - 1].x, cells[end - 1].y),
-         .continues = !jumped});
+        centre_strip({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(end - first)},
+                     grid.center(cells[first].x, cells[first].y),
+                     grid.center(cells[end - 1].x, cells[end - 1].y), !jumped));
     first = end;
   }
   return strips;

@@ -19,8 +19,9 @@ class BatteryBound::Pass {
   Pass(BatteryBound& bound, const Legs& legs, const BatteryFree& free)
       : bound_{bound}, legs_{legs}, free_{free}, width_s_{bound.scope_.bucket_s} {
     const double low_s = std::min(-legs.route_s[legs.last], 0.0);
-    const double high_s =
-        legs.pack_s + 2.0 * *std::max_element(legs.home_s.begin(), legs.home_s.end());
+    double longest_s = 0.0;
+    for (std::uint32_t i = 0; i <= legs.last; ++i) longest_s = std::max(longest_s, legs.trip_s(i));
+    const double high_s = legs.pack_s + longest_s;
     lowest_ = static_cast<std::int64_t>(std::floor(low_s / width_s_)) - 3;
     const auto highest = static_cast<std::int64_t>(std::floor(high_s / width_s_)) + 4;
     windows_.resize(static_cast<std::size_t>(highest - lowest_ + 1));
@@ -59,11 +60,11 @@ class BatteryBound::Pass {
   }
 
   void relax(std::size_t c, std::uint32_t i) {
-    const double leave_s = 2.0 * legs_.home_s[i];
+    const double leave_s = legs_.trip_s(i);
     const double fresh_s = legs_.fresh_offset_s(i);
     const std::uint32_t reach = legs_.reach[i];
     const double flat_s =
-        legs_.home_s[i] + legs_.fill_base_s - legs_.fill_s_per_m * legs_.spray_m[i];
+        legs_.leave_s[i] + legs_.fill_base_s - legs_.fill_s_per_m * legs_.spray_m[i];
     std::size_t swap_from = bound_.reach_end_[c];  // candidates from here on may earn a swap
     double swapped_s = infinite;
     for (std::size_t k = 0; k < bound_.width_; ++k) {
@@ -77,7 +78,7 @@ class BatteryBound::Pass {
       while (swap_from > c + 1 &&
              latest_landing_s_[swap_from - 1] + high_s > legs_.pack_s - fuzz_s) {
         --swap_from;
-        swapped_s = std::min(swapped_s, legs_.home_s[i] + leg_s(i, swap_from, true, fresh_s));
+        swapped_s = std::min(swapped_s, legs_.leave_s[i] + leg_s(i, swap_from, true, fresh_s));
         ++steps_;
       }
       const auto first = static_cast<std::int64_t>(std::floor((low_s - fuzz_s) / width_s_));
@@ -108,7 +109,7 @@ class BatteryBound::Pass {
       if (legs_.spray_m[j] > legs_.spray_m[i]) break;
       for (std::int64_t to = first; to <= last; ++to) {
         const double middle_s = (static_cast<double>(to) + 0.5) * width_s_;
-        best_s = std::min(best_s, legs_.home_s[i] + leg_s(i, d, false, middle_s));
+        best_s = std::min(best_s, legs_.leave_s[i] + leg_s(i, d, false, middle_s));
       }
     }
     return best_s;

@@ -6,7 +6,6 @@ namespace furrow::planner {
 
 ReturnCost::ReturnCost(const ReturnProblem& problem)
     : limits_{limits_of(problem)},
-      first_out_s_{problem.fly_out_m / problem.vehicle.ferry_speed.base()},
       spray_mps_{problem.vehicle.spray_speed.base()},
       range_m_{tank_range(problem.vehicle).base()},
       swap_s_{problem.station.battery_swap.base()},
@@ -14,8 +13,14 @@ ReturnCost::ReturnCost(const ReturnProblem& problem)
       fill_rise_s_{(problem.station.fill_full - problem.station.fill_base).base()} {
   const auto n = static_cast<std::uint32_t>(problem.spray_m.size());
   for (std::uint32_t i = 0; i < n; ++i) {
-    cells_.push_back({problem.spray_m[i], problem.on_route_s[i],
-                      problem.home_m[i] / problem.vehicle.ferry_speed.base()});
+    const double out_s = problem.out_m[i] / problem.vehicle.ferry_speed.base();
+    cells_.push_back({.spray_m = problem.spray_m[i],
+                      .route_s = problem.on_route_s[i],
+                      .back_s = problem.back_m[i] / problem.vehicle.ferry_speed.base(),
+                      .resume_m = problem.resume_m[i],
+                      .resume_s = problem.resume_s[i],
+                      .out_s = out_s,
+                      .leave_s = out_s - (problem.resume_s[i] - problem.on_route_s[i])});
   }
   for (std::uint32_t i = 0, j = 0; i < n; ++i) {
     while (j + 1 < n && spray_m(i, j + 1) <= limits_.tank_m) ++j;
@@ -32,13 +37,13 @@ JudgedReturns ReturnCost::operator()(std::span<const std::uint32_t> returns) con
   std::uint32_t first = 0;
   for (std::size_t n = 0; n <= returns.size(); ++n) {
     const std::uint32_t last = n < returns.size() ? returns[n] : last_cell();
-    const double flight = flight_s(n == 0 ? first_out_s_ : home_s(first), first, last);
+    const double flight = flight_s(first, last);
     const double sprayed_m = spray_m(first, last);
     if (n > 0) {
       const bool swap = used_s + flight > limits_.pack_s;
       if (swap) used_s = 0.0;
       // Summed in the order of `evaluated`, so that both give the same bits.
-      judged.non_spray_s += service_s(sprayed_m, swap) + home_s(first) + home_s(first);
+      judged.non_spray_s += service_s(sprayed_m, swap) + back_s(first) + leave_s(first);
     }
     used_s += flight;
     if (sprayed_m > limits_.tank_m) judged.excess_s += (sprayed_m - limits_.tank_m) / spray_mps_;

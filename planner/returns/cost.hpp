@@ -36,32 +36,32 @@ class ReturnCost {
   std::uint32_t last_cell() const { return static_cast<std::uint32_t>(cells_.size() - 1); }
   const Limits& limits() const { return limits_; }
 
-  /// Flight of a sortie from cell `first` to cell `last`, seconds; from cell 0 the first sortie's.
+  /// Flight of a sortie from cell `first` to cell `last`, seconds.
   double flight_s(std::uint32_t first, std::uint32_t last) const {
-    return flight_s(first == 0 ? first_out_s_ : cells_[first].home_s, first, last);
+    return cells_[first].out_s + (cells_[last].route_s - cells_[first].resume_s) +
+           cells_[last].back_s;
   }
   /// In the bay before a sortie that sprays `spray_m`, seconds.
   double service_s(double spray_m, bool swap) const {
     const double fill = spray_m <= 0.0 ? 0.0 : fill_base_s_ + spray_m / range_m_ * fill_rise_s_;
     return swap && swap_s_ > fill ? swap_s_ : fill;
   }
-  double home_s(std::uint32_t i) const { return cells_[i].home_s; }
+  /// Way home from stop i, seconds.
+  double back_s(std::uint32_t i) const { return cells_[i].back_s; }
+  /// Way out to resume i, less the ferry between strips that it replaces, seconds. i > 0.
+  double leave_s(std::uint32_t i) const { return cells_[i].leave_s; }
   double spray_m(std::uint32_t first, std::uint32_t last) const {
-    return cells_[last].spray_m - cells_[first].spray_m;
+    return cells_[last].spray_m - cells_[first].resume_m;
   }
 
  private:
   struct Cell {
-    double spray_m, route_s, home_s;
+    double spray_m, route_s, back_s, resume_m, resume_s, out_s, leave_s;
   };
-  double flight_s(double out_s, std::uint32_t first, std::uint32_t last) const {
-    return out_s + (cells_[last].route_s - cells_[first].route_s) + cells_[last].home_s;
-  }
-
   std::vector<Cell> cells_;
   std::vector<std::uint32_t> tank_reach_, reach_;
   Limits limits_;
-  double first_out_s_, spray_mps_, range_m_;
+  double spray_mps_, range_m_;
   double swap_s_, fill_base_s_, fill_rise_s_;
 };
 

@@ -10,18 +10,14 @@
 namespace furrow::planner {
 namespace {
 
-enum class From { first_position, station };
-
-PlannedSortie flown(const ReturnProblem& problem, From from, std::uint32_t first,
-                    std::uint32_t last) {
+PlannedSortie flown(const ReturnProblem& problem, std::uint32_t first, std::uint32_t last) {
   const double ferry_mps = problem.vehicle.ferry_speed.base();
-  const double out_m = from == From::station ? problem.home_m[first] : problem.fly_out_m;
   return {.first = first,
           .last = last,
-          .spray_m = problem.spray_m[last] - problem.spray_m[first],
-          .fly_out_s = out_m / ferry_mps,
-          .spray_s = problem.on_route_s[last] - problem.on_route_s[first],
-          .fly_back_s = problem.home_m[last] / ferry_mps,
+          .spray_m = problem.spray_m[last] - problem.resume_m[first],
+          .fly_out_s = problem.out_m[first] / ferry_mps,
+          .spray_s = problem.on_route_s[last] - problem.resume_s[first],
+          .fly_back_s = problem.back_m[last] / ferry_mps,
           .pack = 1,
           .battery_used = 0.0,
           .battery_swap_s = 0.0,
@@ -39,20 +35,19 @@ std::uint32_t cell_count(const ReturnProblem& problem) {
 
 ReturnPlan evaluated(const ReturnProblem& problem, const Returns& returns) {
   require(std::is_sorted(returns.begin(), returns.end(), std::less_equal<>{}) &&
-              (returns.empty() || returns.back() + 1 < cell_count(problem)),
-          "returns rise strictly and end before the last cell");
+              (returns.empty() ||
+               (returns.front() > 0 && returns.back() + 1 < cell_count(problem))),
+          "returns rise strictly between the first cell and the last");
   const Limits limits = limits_of(problem);
   ReturnPlan plan{
       .returns = returns, .sorties = {}, .non_spray_s = 0, .round_trips_m = 0, .swaps = 0};
   plan.sorties.reserve(returns.size() + 1);
-  From from = From::first_position;
   std::uint32_t first = 0;
   for (const std::uint32_t last : returns) {
-    plan.sorties.push_back(flown(problem, from, first, last));
-    from = From::station;
+    plan.sorties.push_back(flown(problem, first, last));
     first = last;
   }
-  plan.sorties.push_back(flown(problem, from, first, cell_count(problem) - 1));
+  plan.sorties.push_back(flown(problem, first, cell_count(problem) - 1));
 
   double used_s = 0.0;  // of the pack on board
   for (std::size_t n = 0; n < plan.sorties.size(); ++n) {
@@ -72,8 +67,9 @@ ReturnPlan evaluated(const ReturnProblem& problem, const Returns& returns) {
     sortie.battery_swap_s = swap ? problem.station.battery_swap.base() : 0.0;
     sortie.fill_s = fill_time(problem.station, fill_share).base();
     sortie.service_s = service_time(problem.station, swap, fill_share).base();
-    plan.non_spray_s += sortie.service_s + sortie.fly_back_s + next.fly_out_s;
-    plan.round_trips_m += 2.0 * problem.home_m[sortie.last];
+    const double skipped_s = problem.resume_s[next.first] - problem.on_route_s[next.first];
+    plan.non_spray_s += sortie.service_s + sortie.fly_back_s + (next.fly_out_s - skipped_s);
+    plan.round_trips_m += problem.back_m[sortie.last] + problem.out_m[next.first];
   }
   return plan;
 }
@@ -89,8 +85,7 @@ std::optional<PlanError> infeasibility(const ReturnProblem& problem) {
   const Limits limits = limits_of(problem);
   const auto cell = [&](std::uint32_t i) { return problem.cells.first + i; };
   for (std::uint32_t i = 0; i < cell_count(problem); ++i) {
-    const From from = i <= 1 ? From::first_position : From::station;
-    const PlannedSortie least = flown(problem, from, i == 0 ? 0 : i - 1, i);
+    const PlannedSortie least = flown(problem, i == 0 ? 0 : i - 1, i);
     if (least.spray_m > limits.tank_m) {
       return PlanError{PlanFault::tank_too_small,
                        fmt::format("UAV {}: cell {} takes {:.1f} m of spraying, a tank lasts for "

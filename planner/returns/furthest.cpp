@@ -6,10 +6,10 @@ namespace furrow::planner {
 
 bool carries(const ReturnProblem& problem, std::uint32_t first, std::uint32_t last) {
   const Limits limits = limits_of(problem);
-  const double out_m = first == 0 ? problem.fly_out_m : problem.home_m[first];
-  const double flight_s = (out_m + problem.home_m[last]) / problem.vehicle.ferry_speed.base() +
-                          problem.on_route_s[last] - problem.on_route_s[first];
-  return problem.spray_m[last] - problem.spray_m[first] <= limits.tank_m &&
+  const double flight_s =
+      (problem.out_m[first] + problem.back_m[last]) / problem.vehicle.ferry_speed.base() +
+      problem.on_route_s[last] - problem.resume_s[first];
+  return problem.spray_m[last] - problem.resume_m[first] <= limits.tank_m &&
          flight_s <= limits.pack_s;
 }
 
@@ -17,8 +17,8 @@ std::uint32_t furthest_from(const ReturnProblem& problem, std::uint32_t first) {
   const Limits limits = limits_of(problem);
   std::uint32_t furthest = first;
   for (std::uint32_t i = first + 1; i < problem.spray_m.size(); ++i) {
-    if (problem.spray_m[i] - problem.spray_m[first] > limits.tank_m) break;
-    if (problem.on_route_s[i] - problem.on_route_s[first] > limits.pack_s) break;
+    if (problem.spray_m[i] - problem.resume_m[first] > limits.tank_m) break;
+    if (problem.on_route_s[i] - problem.resume_s[first] > limits.pack_s) break;
     if (carries(problem, first, i)) furthest = i;
   }
   return furthest;

@@ -21,7 +21,7 @@ constexpr double least_share = 0.5;
 ShareCode::ShareCode(const ReturnProblem& problem, const ReturnCost& cost) : cost_{cost} {
   const double offset_m = problem.vehicle.swath.base();  // a cell at the station itself
   double sum = 0.0;
-  for (const double d : problem.home_m) {
+  for (const double d : problem.back_m) {
     sum += 1.0 / std::sqrt(d + offset_m);
     weight_.push_back(sum);
   }

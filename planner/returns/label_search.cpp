@@ -74,13 +74,13 @@ class Labels {
     const Label& label = labels_[from];
     const std::uint32_t i = cell(label.candidate), j = cell(d);
     const double flight_s =
-        legs_.home_s[i] + (legs_.route_s[j] - legs_.route_s[i]) + legs_.home_s[j];
+        legs_.leave_s[i] + (legs_.route_s[j] - legs_.route_s[i]) + legs_.back_s[j];
     const bool swap = label.used_s + flight_s > legs_.pack_s;
-    return {
-        .cost_s = label.cost_s + legs_.home_s[i] + legs_.service_s(i, j, swap) + legs_.arrival_s(j),
-        .used_s = swap ? flight_s : label.used_s + flight_s,
-        .candidate = static_cast<std::uint32_t>(d),
-        .parent = from};
+    return {.cost_s =
+                label.cost_s + legs_.leave_s[i] + legs_.service_s(i, j, swap) + legs_.arrival_s(j),
+            .used_s = swap ? flight_s : label.used_s + flight_s,
+            .candidate = static_cast<std::uint32_t>(d),
+            .parent = from};
   }
 
   const Legs& legs_;

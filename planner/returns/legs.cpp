@@ -27,7 +27,7 @@ std::vector<double> after(const Legs& legs) {
     double best = ends.least() + legs.fill_base_s - legs.fill_s_per_m * legs.spray_m[i];
     for_each_dry_end(
         legs, i, [&](std::uint32_t d) { best = std::min(best, legs.arrival_s(d) + after_s[d]); });
-    after_s[i] = legs.home_s[i] + best;
+    after_s[i] = legs.leave_s[i] + best;
   }
   return after_s;
 }
@@ -37,12 +37,12 @@ std::vector<double> until(const Legs& legs) {
   SlidingMinimum starts;
   for (std::uint32_t j = 1; j <= legs.last; ++j) {
     const std::uint32_t i = j - 1;
-    if (i > 0) starts.push(i, until_s[i] + legs.home_s[i] - legs.fill_s_per_m * legs.spray_m[i]);
+    if (i > 0) starts.push(i, until_s[i] + legs.leave_s[i] - legs.fill_s_per_m * legs.spray_m[i]);
     starts.drop([&](std::uint32_t p) { return legs.reach[p] < j; });
     double best = starts.least() + legs.fill_base_s + legs.fill_s_per_m * legs.spray_m[j];
-    if (legs.reach[0] >= j) best = 0.0;
+    if (legs.reach[0] >= j) best = std::min(best, 0.0);
     for (std::uint32_t d = j; d-- > 1 && legs.spray_m[d] >= legs.spray_m[j];) {
-      best = std::min(best, until_s[d] + legs.home_s[d]);
+      best = std::min(best, until_s[d] + legs.leave_s[d]);
     }
     until_s[j] = best + legs.arrival_s(j);
   }
@@ -59,7 +59,8 @@ Legs legs_of(const ReturnProblem& problem) {
   Legs legs{.last = n - 1,
             .spray_m = problem.spray_m,
             .route_s = problem.on_route_s,
-            .home_s = {},
+            .back_s = {},
+            .leave_s = {},
             .landing_s = {},
             .reach = std::vector<std::uint32_t>(n),
             .first_offset_s = problem.fly_out_m / ferry_mps,
@@ -71,9 +72,11 @@ Legs legs_of(const ReturnProblem& problem) {
                             tank_range(problem.vehicle).base()};
   std::uint32_t end = 0;
   for (std::uint32_t i = 0; i < n; ++i) {
-    legs.home_s.push_back(problem.home_m[i] / ferry_mps);
-    legs.landing_s.push_back(legs.route_s[i] + legs.home_s[i]);
-    while (end + 1 < n && legs.spray_m[end + 1] - legs.spray_m[i] <= legs.tank_m) ++end;
+    legs.back_s.push_back(problem.back_m[i] / ferry_mps);
+    legs.leave_s.push_back(problem.out_m[i] / ferry_mps -
+                           (problem.resume_s[i] - problem.on_route_s[i]));
+    legs.landing_s.push_back(legs.route_s[i] + legs.back_s[i]);
+    while (end + 1 < n && legs.spray_m[end + 1] - problem.resume_m[i] <= legs.tank_m) ++end;
     legs.reach[i] = end;
   }
   return legs;
@@ -81,16 +84,20 @@ Legs legs_of(const ReturnProblem& problem) {
 
 BatteryFree battery_free(const Legs& legs) {
   BatteryFree free{.until_s = until(legs), .after_s = after(legs), .optimum_s = 0.0};
-  if (legs.reach[0] < legs.last) free.optimum_s = free.until_s[legs.last];
+  if (legs.last > 0) free.optimum_s = free.until_s[legs.last];
   return free;
 }
 
 Returns battery_free_returns(const Legs& legs, const BatteryFree& free) {
   Returns returns;
-  for (std::uint32_t at = 0; legs.reach[at] < legs.last;) {
+  constexpr double worth_a_return_s = 1e-9;  // less is rounding
+  for (std::uint32_t at = 0;;) {
     std::uint32_t best = at;
     double best_s = infinite;
-    for (std::uint32_t j = at + 1; j <= legs.reach[at]; ++j) {
+    if (legs.reach[at] == legs.last) {
+      best_s = (at == 0 ? 0.0 : legs.fill_s(at, legs.last)) - worth_a_return_s;
+    }
+    for (std::uint32_t j = at + 1; j <= legs.reach[at] && j < legs.last; ++j) {
       const double service_s = at == 0 ? 0.0 : legs.fill_s(at, j);
       const double cost_s = service_s + legs.arrival_s(j) + free.after_s[j];
       if (cost_s < best_s) {
@@ -98,9 +105,9 @@ Returns battery_free_returns(const Legs& legs, const BatteryFree& free) {
         best = j;
       }
     }
+    if (best == at) return returns;
     returns.push_back(at = best);
   }
-  return returns;
 }
 
 }  // namespace furrow::planner

@@ -12,13 +12,15 @@ namespace furrow::planner {
 ///
 /// The charge that a pack has given is kept as an offset that does not change while spraying: on
 /// landing at cell i, used = offset + landing_s[i]. Whatever cell comes next, leaving i adds
-/// 2 home_s[i] to the offset, or a fresh pack sets it to fresh_offset_s(i).
+/// trip_s(i) to the offset, or a fresh pack sets it to fresh_offset_s(i). Offsets are never below
+/// -route_s[i], for a pack has given at least the way home.
 struct Legs {
   std::uint32_t last;                ///< Index of the last cell.
   std::vector<double> spray_m;       ///< As in the problem.
   std::vector<double> route_s;       ///< As `on_route_s` of the problem.
-  std::vector<double> home_s;        ///< One way home from cell i.
-  std::vector<double> landing_s;     ///< route_s + home_s.
+  std::vector<double> back_s;        ///< Way home from stop i.
+  std::vector<double> leave_s;       ///< Way out to resume i, less the ferry that it replaces.
+  std::vector<double> landing_s;     ///< route_s + back_s.
   std::vector<std::uint32_t> reach;  ///< Last cell that one tank sprays from cell i.
   double first_offset_s;             ///< Offset during the first sortie: its way out.
   double tank_m, pack_s;
@@ -33,8 +35,10 @@ struct Legs {
     return swap && swap_s > fill ? swap_s : fill;
   }
   /// What landing at j adds to the non-spray time: nothing at the very end.
-  double arrival_s(std::uint32_t j) const { return j == last ? 0.0 : home_s[j]; }
-  double fresh_offset_s(std::uint32_t i) const { return home_s[i] - route_s[i]; }
+  double arrival_s(std::uint32_t j) const { return j == last ? 0.0 : back_s[j]; }
+  /// What a return after cell i adds to flight; may be negative where it replaces a long ferry.
+  double trip_s(std::uint32_t i) const { return back_s[i] + leave_s[i]; }
+  double fresh_offset_s(std::uint32_t i) const { return leave_s[i] - route_s[i]; }
 };
 
 Legs legs_of(const ReturnProblem& problem);

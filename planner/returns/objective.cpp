@@ -9,7 +9,7 @@ namespace furrow::planner {
 ReturnObjective::ReturnObjective(const ReturnProblem& problem, const ExtraCost& extra)
     : problem_{problem}, extra_{extra}, cost_{problem} {
   // What leaving out one return can save at most.
-  const double furthest_m = *std::max_element(problem.home_m.begin(), problem.home_m.end());
+  const double furthest_m = *std::max_element(problem.back_m.begin(), problem.back_m.end());
   infeasible_s_ = 2.0 * furthest_m / problem.vehicle.ferry_speed.base() +
                   cost_.service_s(cost_.limits().tank_m, true);
 }

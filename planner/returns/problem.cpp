@@ -1,46 +1,40 @@
 #include "planner/returns/problem.hpp"
 
-#include "core/require.hpp"
-
-#include <algorithm>
-
 namespace furrow::planner {
 
 ReturnProblem return_problem(const Route& route, CellRange cells, const Vehicle& vehicle,
                              const Station& station) {
-  require(cells.count > 0 && end(cells) <= route.centers.size(),
-          "a share is not empty and lies within the route");
+  const std::vector<CellStop> stops = cell_stops(route, cells);
+  std::size_t strip = strip_of(route, cells.first);
+  const FieldPoint begin = start_point(route, route.strips[strip], cells.first);
   ReturnProblem problem{.vehicle = vehicle,
                         .station = station,
                         .cells = cells,
                         .spray_m = {},
                         .on_route_s = {},
-                        .home_m = {},
-                        .fly_out_m = distance(vehicle.home, route.centers[cells.first]).base(),
+                        .back_m = {},
+                        .resume_m = {},
+                        .resume_s = {},
+                        .out_m = {},
+                        .fly_out_m = distance(vehicle.home, begin).base(),
                         .strip_starts = {0}};
-  const auto next_strip = [&](std::uint32_t cell) {
-    return std::upper_bound(route.strips.begin(), route.strips.end(), cell,
-                            [](std::uint32_t c, const Strip& s) { return c < s.cells.first; });
-  };
-  // Metres and seconds from here on. Moves are counted, so that sums do not drift.
-  const double cell_m = route.cell.base();
-  double moves = 0.0, jumps_s = 0.0;
-  auto strip = next_strip(cells.first);
-  for (std::uint32_t i = 0; i < cells.count; ++i) {
-    const std::uint32_t cell = cells.first + i;
-    const bool begins = strip != route.strips.end() && strip->cells.first == cell;
-    if (i > 0 && begins) problem.strip_starts.push_back(i);
-    if (i > 0 && begins && !strip->continues) {
-      jumps_s += distance(route.centers[cell - 1], route.centers[cell]).base() /
-                 vehicle.ferry_speed.base();
-    } else if (i > 0) {
-      moves += 1.0;
-    }
-    if (begins) ++strip;
-    problem.spray_m.push_back(moves * cell_m);
-    problem.on_route_s.push_back(moves * cell_m / vehicle.spray_speed.base() + jumps_s);
-    problem.home_m.push_back(distance(route.centers[cell], station.position).base());
+  while (++strip < route.strips.size() && route.strips[strip].cells.first < end(cells)) {
+    problem.strip_starts.push_back(route.strips[strip].cells.first - cells.first);
   }
+  // Metres and seconds from here on.
+  const double spray_mps = vehicle.spray_speed.base(), ferry_mps = vehicle.ferry_speed.base();
+  double ferried_s = 0.0;
+  for (const CellStop& at : stops) {
+    ferried_s += at.approach_m / ferry_mps;
+    problem.spray_m.push_back(at.spray_m);
+    problem.on_route_s.push_back(at.spray_m / spray_mps + ferried_s);
+    problem.back_m.push_back(distance(at.stop, station.position).base());
+    problem.resume_m.push_back(at.spray_m);
+    problem.resume_s.push_back(problem.on_route_s.back() + at.skipped_m / ferry_mps);
+    problem.out_m.push_back(distance(at.resume, station.position).base());
+  }
+  problem.resume_m[0] = problem.resume_s[0] = 0.0;
+  problem.out_m[0] = problem.fly_out_m;
   return problem;
 }
 

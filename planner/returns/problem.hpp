@@ -14,14 +14,22 @@ namespace furrow::planner {
 
 /// One aircraft, one station, and n cells to spray in order. Arrays have n entries, in metres and
 /// seconds, so that solvers may run over them.
+///
+/// An aircraft that returns after cell i stops spraying at the cell's stop and begins its next
+/// sortie at the cell's resume (see planner::CellStop). No sortie ends after cell 0 alone, unless
+/// it is the last one: in the arrays of resumes, entry 0 is the beginning of the share.
 struct ReturnProblem {
   Vehicle vehicle;
   Station station;
   CellRange cells;                 ///< The share, in cells of the route.
-  std::vector<double> spray_m;     ///< Sprayed distance from the first cell to cell i; [0] = 0.
-  std::vector<double> on_route_s;  ///< Flying time from the first cell to cell i without returning.
-  std::vector<double> home_m;      ///< Straight distance from cell i to the station.
-  double fly_out_m;                ///< From the aircraft's first position to cell 0.
+  std::vector<double> spray_m;     ///< Sprayed distance from the beginning to stop i.
+  std::vector<double> on_route_s;  ///< Flying time to stop i without returning; between strips at
+                                   ///< ferry speed.
+  std::vector<double> back_m;      ///< Straight distance from stop i to the station.
+  std::vector<double> resume_m;    ///< Sprayed distance at resume i; [0] = 0.
+  std::vector<double> resume_s;    ///< Flying time to resume i without returning; [0] = 0.
+  std::vector<double> out_m;  ///< Straight distance from the station to resume i; [0]: fly_out_m.
+  double fly_out_m;           ///< From the aircraft's first position to the beginning.
   std::vector<std::uint32_t> strip_starts;  ///< First cells of strips, rising; [0] = 0.
 };
 
@@ -29,7 +37,7 @@ struct ReturnProblem {
 /// cell left out (the way home from there is implied).
 using Returns = std::vector<std::uint32_t>;
 
-/// One sortie of a plan: sprays from the centre of cell `first` to the centre of cell `last`.
+/// One sortie of a plan: sprays from resume `first` to stop `last`.
 struct PlannedSortie {
   std::uint32_t first, last;  ///< Indices into the share; `first` was sprayed before, except 0.
   double spray_m;             ///< D_n.
@@ -44,8 +52,11 @@ struct PlannedSortie {
 struct ReturnPlan {
   Returns returns;
   std::vector<PlannedSortie> sorties;  ///< returns.size() + 1.
-  double non_spray_s;  ///< E of equation (7): round trips and services, the last way home left out.
-  double round_trips_m;  ///< Sum of 2 |P_n - P_0| over the returns.
+  /// E of equation (7): round trips and services, the last way home left out. A round trip that
+  /// replaces a ferry between strips counts less that ferry, so that first way out + on_route_s +
+  /// E is when the last cell is sprayed.
+  double non_spray_s;
+  double round_trips_m;  ///< Sum over the returns of the ways back and out, 2 |P_n - P_0|.
   std::uint32_t swaps;
 };
 

@@ -9,7 +9,9 @@
 namespace furrow::planner {
 namespace {
 
-// For each strip, its end cell nearer to the station, in route order.
+// For each strip, the cell after which to return at its end nearer to the station, in route order.
+// Strips that are sprayed from end to end are left at their ends only, which is after the last cell
+// of the strip before where the near end is the beginning.
 std::vector<std::uint32_t> near_ends(const ReturnProblem& problem) {
   std::vector<std::uint32_t> ends;
   for (std::size_t s = 0; s < problem.strip_starts.size(); ++s) {
@@ -17,7 +19,12 @@ std::vector<std::uint32_t> near_ends(const ReturnProblem& problem) {
     const auto last = static_cast<std::uint32_t>(s + 1 < problem.strip_starts.size()
                                                      ? problem.strip_starts[s + 1] - 1
                                                      : problem.spray_m.size() - 1);
-    ends.push_back(problem.home_m[first] < problem.home_m[last] ? first : last);
+    if (problem.spray_m[0] > 0.0) {
+      const bool begins_nearer = first > 0 && problem.out_m[first - 1] < problem.back_m[last];
+      ends.push_back(begins_nearer ? first - 1 : last);
+    } else {
+      ends.push_back(problem.back_m[first] < problem.back_m[last] ? first : last);
+    }
   }
   return ends;
 }

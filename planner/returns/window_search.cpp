@@ -49,7 +49,7 @@ class Table {
       const double flight_s = cost_.flight_s(first, last);
       if (flight_s > cost_.limits().pack_s) continue;
       const double spray_m = cost_.spray_m(first, last);
-      const double trip_s = 2.0 * cost_.home_s(first);
+      const double trip_s = cost_.back_s(first) + cost_.leave_s(first);
       const double kept_s = trip_s + cost_.service_s(spray_m, false);
       if (is_hopeless(last, least_s + kept_s)) continue;
       const double fresh_s = trip_s + cost_.service_s(spray_m, true);
@@ -77,7 +77,7 @@ class Table {
 
   // Whether no plan that lands at `cell` for this cost beats the cutoff.
   bool is_hopeless(std::uint32_t cell, double cost_s) const {
-    const double landing_s = cell == cost_.last_cell() ? 0.0 : cost_.home_s(cell);
+    const double landing_s = cell == cost_.last_cell() ? 0.0 : cost_.back_s(cell);
     return cost_s + landing_s + free_.after_s[cell] >= cutoff_s_;
   }
 

@@ -28,6 +28,7 @@ class WorkLaws final : public Checker {
  public:
   explicit WorkLaws(const Facts& facts)
       : facts_{facts},
+        cell_m_{planner::cell_lengths_m(facts.plan.route)},
         sprayed_(facts.plan.route.centers.size()),
         booked_(facts.plan.route.centers.size()) {
     for (const auto& uav : facts.plan.uavs) vehicles_[uav.vehicle.id] = uav.vehicle;
@@ -65,8 +66,8 @@ class WorkLaws final : public Checker {
   struct Work {
     std::map<std::uint64_t, CellRange> granted;     // by grant id
     std::map<std::uint64_t, std::uint32_t> closed;  // cells sprayed, by grant id
-    std::uint32_t sortie_cells = 0;                 // passed with the valve open in this sortie
-    std::uint32_t sortie_pieces = 0;                // straight runs of them
+    double sortie_m = 0.0;            // cells passed with the valve open in this sortie
+    std::uint32_t sortie_pieces = 0;  // straight runs of them
   };
 
   void observe_grant(const WorkGrant& grant, Instant at) {
@@ -87,7 +88,6 @@ class WorkLaws final : public Checker {
 
   void observe_flight(const FlightRecord& flown, Instant at) {
     Work& work = work_[flown.agent];
-    work.sortie_cells += flown.cells.count;
     work.sortie_pieces += flown.cells.count > 0;
     for (std::uint32_t cell = flown.cells.first; cell < end(flown.cells); ++cell) {
       if (cell >= sprayed_.size()) {
@@ -96,6 +96,7 @@ class WorkLaws final : public Checker {
                            text(node(flown.agent)), cell));
         return;
       }
+      work.sortie_m += cell_m_[cell];
       if (++sprayed_[cell] > 1) {
         report("L1", at, fmt::format("{} sprayed cell {} again", text(node(flown.agent)), cell));
       }
@@ -159,9 +160,10 @@ class WorkLaws final : public Checker {
   void observe_sortie(const SortieReport& sortie, Instant at) {
     Work& work = work_[sortie.agent];
     const double cell_m = facts_.plan.route.cell.base();
-    const double covered_m = work.sortie_cells * cell_m;
+    const double covered_m = work.sortie_m;
     const double slack_m = 0.02 * covered_m + (2.0 + 0.5 * work.sortie_pieces) * cell_m;
-    work.sortie_cells = work.sortie_pieces = 0;
+    work.sortie_m = 0.0;
+    work.sortie_pieces = 0;
     if (std::abs(sortie.sprayed.base() - covered_m) > slack_m) {
       report("L5", at,
              fmt::format("{} sprayed {:.1f} m in sortie {} on {:.1f} m of cells",
@@ -172,6 +174,7 @@ class WorkLaws final : public Checker {
 
   const Facts& facts_;
   std::map<AgentId, Vehicle> vehicles_;
+  std::vector<double> cell_m_;  // sprayed per cell
   std::map<AgentId, Work> work_;
   std::vector<int> sprayed_, booked_;  // how often, by cell: in truth, and as closed
   SchedulerState last_state_{};

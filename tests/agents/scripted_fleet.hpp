@@ -51,7 +51,8 @@ inline std::vector<Piece> strips(std::uint32_t count, std::uint32_t cells) {
     const bool is_up = i % 2 == 0;
     const FieldPoint from = at_m(x, is_up ? 1.0 : top), to = at_m(x, is_up ? top : 1.0);
     const FieldPoint entry = pieces.empty() ? from : pieces.back().to;
-    pieces.push_back({.cells = {i * cells, cells}, .entry = entry, .from = from, .to = to});
+    pieces.push_back(
+        {.cells = {i * cells, cells}, .entry = entry, .from = from, .to = to, .exit = to});
   }
   return pieces;
 }
@@ -72,8 +73,10 @@ inline std::vector<SortieOrder> two_sorties(const std::vector<Piece>& pieces, st
       sorties[0].pieces.push_back(p);
     } else {
       const std::uint32_t n = last + 1 - p.cells.first;
-      sorties[0].pieces.push_back({{p.cells.first, n}, p.entry, p.from, center(n - 1)});
-      sorties[1].pieces.push_back({{last + 1, p.cells.count - n}, center(n - 1), center(n), p.to});
+      sorties[0].pieces.push_back(
+          {{p.cells.first, n}, p.entry, p.from, center(n - 1), center(n - 1)});
+      sorties[1].pieces.push_back(
+          {{last + 1, p.cells.count - n}, center(n - 1), center(n), p.to, p.to});
     }
   }
   return sorties;

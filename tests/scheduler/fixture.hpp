@@ -19,10 +19,8 @@ inline planner::Route comb(std::uint32_t strips, std::uint32_t cells) {
       route.centers.push_back(at_m(2.0 * s + 1.0, 2.0 * row + 1.0));
     }
     const CellRange range{s * cells, cells};
-    route.strips.push_back({.cells = range,
-                            .from = route.centers[range.first],
-                            .to = route.centers[end(range) - 1],
-                            .continues = s > 0});
+    route.strips.push_back(planner::centre_strip(range, route.centers[range.first],
+                                                 route.centers[end(range) - 1], s > 0));
   }
   return route;
 }

@@ -35,6 +35,34 @@ TEST_CASE("orders: a strip reached by a ferry starts afresh", "[scheduler]") {
   CHECK(sorties[0].pieces[1].entry == route.centers[5]);
 }
 
+TEST_CASE("orders: strips sprayed from end to end are cut at the far edges of cells",
+          "[scheduler]") {
+  // North over five cells of 2 m, then east over five by a way point.
+  const planner::Route route = planner::end_to_end_route(
+      metres(2), {planner::end_strip({0, 1}, at_m(0, 0), at_m(0, 10), {}),
+                  planner::end_strip({0, 1}, at_m(4, 14), at_m(14, 14), {at_m(0, 14)})});
+  const auto sorties = orders(route, uav_plan(route, 1, {0, 2}, {2, 6}));
+  REQUIRE(sorties.size() == 3);
+  REQUIRE(sorties[0].pieces.size() == 1);
+  CHECK(sorties[0].pieces[0].entry == at_m(0, 0));
+  CHECK(sorties[0].pieces[0].to.y.base() == Approx(5.0));
+  CHECK(sorties[0].pieces[0].exit.y.base() == Approx(6.0));
+  REQUIRE(sorties[1].pieces.size() == 2);
+  CHECK(sorties[1].pieces[0].entry == sorties[0].pieces[0].exit);
+  CHECK(sorties[1].pieces[0].exit == at_m(0, 10));
+  CHECK(sorties[1].pieces[0].approach.empty());
+  CHECK(sorties[1].pieces[1].approach == std::vector{at_m(0, 14)});
+  CHECK(sorties[1].pieces[1].entry == at_m(4, 14));
+  CHECK(sorties[2].pieces[0].entry.x.base() == Approx(8.0));
+  CHECK(sorties[2].pieces[0].approach.empty());  // straight from the station
+
+  // A return at the end of the first strip: the next sortie begins with the second, straight.
+  const auto at_end = orders(route, uav_plan(route, 1, {0, 2}, {4}));
+  REQUIRE(at_end.size() == 2);
+  CHECK(at_end[1].pieces[0].entry == at_m(4, 14));
+  CHECK(at_end[1].pieces[0].approach.empty());
+}
+
 TEST_CASE("orders: the pieces of all shares cover every cell once, in order", "[scheduler]") {
   const planner::Route route = comb(7, 13);
   std::uint32_t next = 0;

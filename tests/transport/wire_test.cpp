@@ -57,7 +57,12 @@ SortieReport sortie_report() {
 // One of each kind, every field different from its neighbours.
 std::vector<Envelope> samples() {
   const NodeId agent = node(AgentId{7}), station = node(StationId{2});
-  const Piece piece{.cells = {10, 5}, .entry = at_m(1, 2), .from = at_m(3, 4), .to = at_m(5, 6)};
+  const Piece piece{.cells = {10, 5},
+                    .entry = at_m(1, 2),
+                    .from = at_m(3, 4),
+                    .to = at_m(5, 6),
+                    .exit = at_m(7, 8),
+                    .approach = {at_m(9, 10), at_m(11, 12)}};
   return {from(agent, AgentInfo{.agent = AgentId{7}, .boot = BootId{3}, .vehicle = vehicle()}),
           from(agent, AgentState{.agent = AgentId{7},
                                  .boot = BootId{3},

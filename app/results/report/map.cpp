@@ -57,10 +57,12 @@ class Panels {
     Svg svg = land_panel(view_, record_.scenario, "Off the line");
     draw_offsets(svg);
     draw_cells(svg, route_.missed, alarm);
-    draw_cells(svg, cells_where([&](std::uint32_t i) { return flown_.proofs[i] == 0; }), alarm);
+    draw_chosen(
+        svg, [&](std::uint32_t i) { return flown_.proofs[i] == 0; }, alarm);
     std::vector<std::uint32_t> passes(flown_.proofs.size());
     for (const Pass& pass : flown_.passes) ++passes[pass.cell];
-    draw_cells(svg, cells_where([&](std::uint32_t i) { return passes[i] > 1; }), "#6a3d9a");
+    draw_chosen(
+        svg, [&](std::uint32_t i) { return passes[i] > 1; }, "#6a3d9a");
     draw_stations(svg, view_, record_.scenario);
     return svg.markup();
   }
@@ -76,7 +78,12 @@ class Panels {
     const CellRange share = uavs()[uav].strips;
     const double half = route_.cell.base() * view_.pixels_per_m / 2;
     for (std::uint32_t i = share.first; i < end(share); ++i) {
-      const Pixel a = view_.at(route_.strips[i].from), b = view_.at(route_.strips[i].to);
+      const planner::Strip& strip = route_.strips[i];
+      const Pixel a = view_.at(strip.begin), b = view_.at(strip.end);
+      if (planner::sprays_ends(strip)) {
+        chains.push_back({a, b});
+        continue;
+      }
       // To the rims of the end cells; a strip of one cell is still seen.
       const double length = std::hypot(b.x - a.x, b.y - a.y);
       const double dx = length > 0 ? (b.x - a.x) / length * half : 0;
@@ -86,12 +93,16 @@ class Panels {
     return chains;
   }
 
+  FieldPoint stop_after(std::uint32_t cell) const {
+    return planner::stop_point(route_, route_.strips[planner::strip_of(route_, cell)], cell);
+  }
+
   void draw_ferries(Svg& svg, std::size_t uav) const {
     const scheduler::UavPlan& plan = uavs()[uav];
     Chains ways;
     for (const std::uint32_t cell : plan.solution.plan.returns) {
       ways.push_back(
-          {view_.at(route_.centers[plan.cells.first + cell]), view_.at(plan.station.position)});
+          {view_.at(stop_after(plan.cells.first + cell)), view_.at(plan.station.position)});
     }
     svg.path(ways, false, {.stroke = "#8b8b80", .width = 0.6, .opacity = 0.7, .dash = "3 3"});
   }
@@ -100,7 +111,7 @@ class Panels {
     const scheduler::UavPlan& plan = uavs()[uav];
     std::size_t sortie = 0;
     for (const std::uint32_t cell : plan.solution.plan.returns) {
-      const FieldPoint p = route_.centers[plan.cells.first + cell];
+      const FieldPoint p = stop_after(plan.cells.first + cell);
       svg.circle(view_.at(p), 3.4, {.fill = "#fff", .stroke = ink, .width = 1.4},
                  fmt::format("UAV {}, return {} at ({:.1f}, {:.1f}) m", number(plan.vehicle.id),
                              ++sortie, p.x.base(), p.y.base()));
@@ -163,13 +174,27 @@ class Panels {
              {.size = 11, .fill = alarm, .bold = true, .halo = true});
   }
 
+  // The route's cells that are chosen: squares, or bands along strips of any direction.
   template <class Chosen>
-  std::vector<FieldPoint> cells_where(Chosen chosen) const {
-    std::vector<FieldPoint> cells;
-    for (std::uint32_t i = 0; i < route_.centers.size(); ++i) {
-      if (chosen(i)) cells.push_back(route_.centers[i]);
+  void draw_chosen(Svg& svg, Chosen chosen, std::string_view colour) const {
+    std::vector<FieldPoint> squares;
+    Chains lines;
+    for (const planner::Strip& strip : route_.strips) {
+      const bool is_square = !planner::sprays_ends(strip);
+      for (std::uint32_t i = strip.cells.first; i < end(strip.cells); ++i) {
+        if (!chosen(i)) continue;
+        if (is_square) {
+          squares.push_back(route_.centers[i]);
+        } else {
+          lines.push_back({view_.at(planner::start_point(route_, strip, i)),
+                           view_.at(planner::stop_point(route_, strip, i))});
+        }
+      }
     }
-    return cells;
+    draw_cells(svg, squares, colour);
+    if (lines.empty()) return;
+    const double width = std::max(route_.cell.base() * view_.pixels_per_m, 2.0);
+    svg.path(lines, false, {.stroke = colour, .width = width});
   }
 
   // All squares of a colour are one path, as runs where neighbours follow each other.

@@ -33,9 +33,9 @@ inline MissionRecord small_plan() {
   for (const double y : {1, 3, 5, 7}) route.centers.push_back(at_m(1, y));
   for (const double y : {7, 5, 3, 1}) route.centers.push_back(at_m(3, y));
   for (const double y : {1, 3, 5, 7}) route.centers.push_back(at_m(5, y));
-  route.strips = {{{0, 4}, at_m(1, 1), at_m(1, 7), false},
-                  {{4, 4}, at_m(3, 7), at_m(3, 1), true},
-                  {{8, 4}, at_m(5, 1), at_m(5, 7), true}};
+  route.strips = {planner::centre_strip({0, 4}, at_m(1, 1), at_m(1, 7), false),
+                  planner::centre_strip({4, 4}, at_m(3, 7), at_m(3, 1), true),
+                  planner::centre_strip({8, 4}, at_m(5, 1), at_m(5, 7), true)};
 
   for (const std::uint32_t id : {1u, 2u}) {
     Vehicle v{};

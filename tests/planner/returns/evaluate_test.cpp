@@ -20,7 +20,8 @@ Route route_with_ferry() {
               .centers = {at_m(1, 1), at_m(1, 3), at_m(1, 5), at_m(9, 1), at_m(9, 3), at_m(9, 5)},
               .strips = {},
               .missed = {}};
-  route.strips = {{{0, 3}, at_m(1, 1), at_m(1, 5), false}, {{3, 3}, at_m(9, 1), at_m(9, 5), false}};
+  route.strips = {centre_strip({0, 3}, at_m(1, 1), at_m(1, 5), false),
+                  centre_strip({3, 3}, at_m(9, 1), at_m(9, 5), false)};
   return route;
 }
 
@@ -32,7 +33,7 @@ TEST_CASE("problem: a ferry takes time and sprays nothing", "[planner]") {
   CHECK(p.strip_starts == std::vector<std::uint32_t>{0, 3});
   // Four metres at 3 m/s, then hypot(8, 4) = 8.944 m at 6 m/s.
   CHECK_THAT(p.on_route_s[3], WithinAbs(4.0 / 3.0 + 8.94427 / 6.0, 1e-5));
-  CHECK_THAT(p.home_m[3], WithinAbs(9.05539, 1e-5));  // hypot(9, 1)
+  CHECK_THAT(p.back_m[3], WithinAbs(9.05539, 1e-5));  // hypot(9, 1)
   CHECK(p.fly_out_m == 0.0);                          // it stands on the first cell
 }
 
@@ -74,27 +75,6 @@ TEST_CASE("evaluate: one return costs its round trip and the longer of filling a
   CHECK(swapped.sorties[1].pack == 2);
   CHECK_THAT(swapped.non_spray_s, WithinAbs(2 * 5.09902 / 6 + 60.0, 1e-4));
   CHECK_THAT(swapped.sorties[1].battery_used, WithinAbs(5.390 / 7.5, 1e-3));
-}
-
-TEST_CASE("evaluate: after a return at the first cell the way out starts at the station",
-          "[planner]") {
-  Vehicle vehicle = paper_case::vehicle();
-  vehicle.home = at_m(1, 61);  // 60 m, 10 s from the first cell
-  const ReturnProblem p =
-      return_problem(route_with_ferry(), {0, 6}, vehicle, paper_case::station());
-
-  const ReturnPlan plan = evaluated(p, {0});
-  // The station at (0, 0) is hypot(1, 1) = 1.414 m from (1, 1).
-  CHECK_THAT(plan.sorties[0].fly_out_s, WithinAbs(10.0, 1e-9));
-  CHECK_THAT(plan.sorties[1].fly_out_s, WithinAbs(1.41421 / 6, 1e-5));
-  CHECK(ReturnCost{p}(plan.returns).non_spray_s == plan.non_spray_s);
-
-  // 4 / 3 + 1.4142 / 6 + ... fits into a pack that would not carry the 10 s way out again.
-  vehicle.flight_endurance = seconds(11.0);
-  const ReturnProblem tight =
-      return_problem(route_with_ferry(), {0, 6}, vehicle, paper_case::station());
-  CHECK(is_feasible(tight, evaluated(tight, {0})));
-  CHECK(ReturnCost{tight}(Returns{0}).excess_s == 0.0);
 }
 
 TEST_CASE("evaluate: the reserve of a pack is never planned with", "[planner]") {

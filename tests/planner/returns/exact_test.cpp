@@ -12,6 +12,14 @@ namespace {
 
 using Catch::Matchers::WithinAbs;
 
+void resume_where_it_stopped(ReturnProblem& p) {
+  p.resume_m = p.spray_m;
+  p.resume_s = p.on_route_s;
+  p.out_m = p.back_m;
+  p.resume_m[0] = p.resume_s[0] = 0.0;
+  p.out_m[0] = p.fly_out_m;
+}
+
 // A problem of a few cells with homes anywhere, ferries between some of them, and packs, tanks and
 // services of any proportion.
 ReturnProblem random_problem(std::uint64_t seed) {
@@ -30,7 +38,10 @@ ReturnProblem random_problem(std::uint64_t seed) {
                   .cells = {0, static_cast<std::uint32_t>(cells)},
                   .spray_m = {},
                   .on_route_s = {},
-                  .home_m = {},
+                  .back_m = {},
+                  .resume_m = {},
+                  .resume_s = {},
+                  .out_m = {},
                   .fly_out_m = random.uniform(0.0, 10.0),
                   .strip_starts = {0}};
   double spray_m = 0.0, jumps_s = 0.0;
@@ -43,7 +54,33 @@ ReturnProblem random_problem(std::uint64_t seed) {
     }
     p.spray_m.push_back(spray_m);
     p.on_route_s.push_back(spray_m / 3.0 + jumps_s);
-    p.home_m.push_back(random.uniform(0.0, 12.0));
+    p.back_m.push_back(random.uniform(0.0, 12.0));
+  }
+  resume_where_it_stopped(p);
+  return p;
+}
+
+// Like the above, but sprayed from end to end: strips of cells of 2 m, joined by ferries that a
+// return at a strip's end replaces, also where they are longer than the round trip.
+ReturnProblem random_ends_problem(std::uint64_t seed) {
+  ReturnProblem p = random_problem(seed);
+  Random random{seed_for(seed, {1})};
+  p.strip_starts = {0};
+  std::vector<double> ferries_s, outs_m;
+  double ferried_s = 0.0;
+  for (std::size_t i = 0; i < p.spray_m.size(); ++i) {
+    p.spray_m[i] = 2.0 * static_cast<double>(i + 1);
+    p.on_route_s[i] = p.spray_m[i] / 3.0 + ferried_s;
+    const bool ends = i + 1 < p.spray_m.size() && random.below(3) == 0;
+    if (ends) p.strip_starts.push_back(static_cast<std::uint32_t>(i + 1));
+    ferries_s.push_back(ends ? random.uniform(0.0, 4.0) : 0.0);
+    outs_m.push_back(ends ? random.uniform(0.0, 12.0) : p.back_m[i]);
+    ferried_s += ferries_s.back();
+  }
+  resume_where_it_stopped(p);
+  for (std::size_t i = 1; i < p.spray_m.size(); ++i) {
+    p.resume_s[i] += ferries_s[i];
+    p.out_m[i] = outs_m[i];
   }
   return p;
 }
@@ -64,10 +101,11 @@ double brute_force_s(const ReturnProblem& p) {
 }
 
 TEST_CASE("exact: agrees with trying every set of return points", "[planner]") {
+  const auto random = GENERATE(&random_problem, &random_ends_problem);
   int solved = 0;
   for (std::uint64_t seed = 1; seed <= 600; ++seed) {
     CAPTURE(seed);
-    const ReturnProblem p = random_problem(seed);
+    const ReturnProblem p = random(seed);
     const auto exact = exact_plan(p);
     if (!exact) continue;
     ++solved;
