@@ -1,0 +1,45 @@
+#include "planner/coverage/swath/headland.hpp"
+
+#include "planner/coverage/swath/geos.hpp"
+
+#include <algorithm>
+
+namespace furrow::planner {
+namespace {
+
+constexpr double shortest_side_m = 1e-3;  // shorter sides come from rounding
+
+StripGroup round_along(const RingM& ring, double half_width_m, bool backwards) {
+  RingM corners;
+  for (const PointM p : ring) {
+    if (corners.empty() || norm(p - corners.back()) > shortest_side_m) corners.push_back(p);
+  }
+  if (backwards) std::reverse(corners.begin(), corners.end());
+  StripGroup group{{}, true};
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    group.strips.push_back({corners[i], corners[(i + 1) % corners.size()], half_width_m});
+  }
+  return group;
+}
+
+}  // namespace
+
+Headland headland(const LandPart& flight, double swath_m, double margin_m, int passes,
+                  HeadlandTurn turn) {
+  Headland made;
+  const bool backwards = turn == HeadlandTurn::clockwise;
+  for (int pass = 0; pass < passes; ++pass) {
+    const double depth_m = std::max(0.0, (pass + 0.5) * swath_m - margin_m);
+    for (const LandPart& part : offset({flight}, -depth_m)) {
+      // Around a hole, land on the left means clockwise: reversed, so that all rounds turn alike.
+      made.rounds.push_back(round_along(part.outer, swath_m / 2, backwards));
+      for (const RingM& hole : part.holes) {
+        made.rounds.push_back(round_along(hole, swath_m / 2, !backwards));
+      }
+    }
+  }
+  made.inner = offset({flight}, -std::max(0.0, passes * swath_m - margin_m));
+  return made;
+}
+
+}  // namespace furrow::planner
