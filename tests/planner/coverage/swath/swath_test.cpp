@@ -1,29 +1,14 @@
 #include "planner/coverage/swath/swath.hpp"
 
+#include "tests/planner/coverage/swath/swath_test_support.hpp"
+
 #include <catch2/catch.hpp>
+#include <cmath>
 
 using namespace furrow;
 using namespace furrow::planner;
 
 namespace {
-
-// Flown as one track, valve open on strips only.
-double outside_m(const Field& field, Length swath, const SwathCoverage& coverage) {
-  std::vector<std::vector<FlownPlace>> tracks;
-  for (const SwathStrip& strip : coverage.strips) {
-    if (strip.approach.empty()) tracks.emplace_back();
-    for (const FieldPoint p : strip.approach) tracks.back().push_back({p, false});
-    tracks.back().push_back({strip.from, false});
-    tracks.back().push_back({strip.to, true});
-  }
-  const auto flown = flown_coverage(field, swath, tracks);
-  REQUIRE(flown);
-  return flown->outside.base();
-}
-
-double covered_share(const SwathCoverage& c) {
-  return c.areas.covered / (c.areas.covered + c.areas.missed);
-}
 
 const Field slanted{
     .boundary = {at_m(0, 0), at_m(700, 0), at_m(700, 100), at_m(40, 100), at_m(0, 60)},
@@ -43,8 +28,8 @@ TEST_CASE("a slanted corner shortens the rows that meet it") {
   // 30 rows of 700 m below the slant; above it rows start at x = y - 60 for y = 61, 63 .. 99:
   // 20 x 700 - (1 + 3 + .. + 39) = 13 600. Together 34 600.
   CHECK(c->sprayed.base() == Approx(34'600).margin(1e-6));
-  // Of 49 turns the 25 on the right side take 2 m; on the left 14 take 2 m, the one over the slant's
-  // foot sqrt(1 + 4), and 9 along the slant sqrt(8): 105.69 m.
+  // Of 49 turns the 25 on the right side take 2 m; on the left 14 take 2 m, the one over the
+  // slant's foot sqrt(1 + 4), and 9 along the slant sqrt(8): 105.69 m.
   CHECK(c->route.base() == Approx(34'600 + 78 + std::sqrt(5) + 9 * std::sqrt(8)).margin(1e-6));
   CHECK(outside_m(slanted, metres(2), *c) == 0);
   CHECK(covered_share(*c) >= 0.999);
