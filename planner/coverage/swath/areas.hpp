@@ -10,7 +10,7 @@ namespace furrow::planner {
 /// What became of the land, from the union of footprints. covered + missed is the land, and
 /// covered + outside + repeated is sprayed.
 struct SprayedAreas {
-  Area sprayed;   ///< Length times width of all that was sprayed.
+  Area sprayed;   ///< Length times width of all runs, and the outer wedges of their bends.
   Area covered;   ///< Land sprayed at least once.
   Area missed;    ///< Land never sprayed.
   Area repeated;  ///< Sprayed again, counted each further time.

@@ -127,6 +127,7 @@ LandParts even_odd(const RingM& ring) {
 }
 
 LandParts united(const LandParts& parts) {
+  if (parts.size() < 2) return parts;
   const Session geos;
   const auto shape = geos.polygons(parts);
   const auto made = geos.owned(GEOSUnaryUnionPrec_r(geos.context(), shape.get(), overlay_grid_m));

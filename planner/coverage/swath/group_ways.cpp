@@ -20,7 +20,7 @@ std::vector<std::array<double, 2>> turns_of(const StripGroup& group, const Insid
   for (std::size_t k = 0; k + 1 < group.strips.size(); ++k) {
     const GroundStrip& here = group.strips[k];
     const GroundStrip& next = group.strips[k + 1];
-    if (group.fixed) {
+    if (group.flown != Flown::to_and_fro) {
       const double way = inside_m(paths, here.b, next.a);
       turns.push_back({way, way});
     } else {
@@ -53,24 +53,24 @@ GroupWays::GroupWays(const std::vector<StripGroup>& groups, const InsidePaths& p
 
 std::vector<GroundStrip> GroupWays::flown(std::size_t group, std::size_t number) const {
   std::vector<GroundStrip> order = groups_[group].strips;
-  if (groups_[group].fixed) return order;
   if (sense(number).from_last) std::reverse(order.begin(), order.end());
   bool from_b = sense(number).from_b;
   for (GroundStrip& strip : order) {
     if (from_b) std::swap(strip.a, strip.b);
-    from_b = !from_b;
+    if (groups_[group].flown == Flown::to_and_fro) from_b = !from_b;
   }
   return order;
 }
 
 std::size_t GroupWays::exit_corner(std::size_t group, std::size_t number) const {
   const Sense s = sense(number);
-  const bool at_b = (groups_[group].strips.size() % 2 == 1) != s.from_b;
+  const bool turns = groups_[group].flown == Flown::to_and_fro;
+  const bool at_b = (!turns || groups_[group].strips.size() % 2 == 1) != s.from_b;
   return (s.from_last ? 0u : 2u) + (at_b ? 1u : 0u);
 }
 
 std::size_t GroupWays::reversed(std::size_t group, std::size_t sense) const {
-  return groups_[group].fixed ? sense : exit_corner(group, sense);
+  return groups_[group].flown == Flown::as_it_is ? sense : exit_corner(group, sense);
 }
 
 double GroupWays::way_m(std::size_t from, std::size_t from_sense, std::size_t to,
@@ -78,7 +78,7 @@ double GroupWays::way_m(std::size_t from, std::size_t from_sense, std::size_t to
   const PointM a = exit(from, from_sense), b = entry(to, to_sense);
   if (known_m_.empty()) return inside_m(paths_, a, b);
   // Two senses that leave at one corner share its ways.
-  const std::size_t corner = groups_[from].fixed ? 0 : exit_corner(from, from_sense);
+  const std::size_t corner = exit_corner(from, from_sense);
   double& known = known_m_[(4 * from + corner) * 4 * size() + 4 * to + to_sense];
   if (known < 0) known = inside_m(paths_, a, b);
   return known;

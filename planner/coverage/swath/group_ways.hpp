@@ -26,9 +26,10 @@ class GroupWays {
   std::size_t size() const { return groups_.size(); }
   static Sense sense(std::size_t number) { return {(number & 2) != 0, (number & 1) != 0}; }
 
-  /// Whether a group may be flown so; one fixed group has a single sense.
+  /// Whether a group may be flown so: a chain has two senses, 0 and 3.
   bool allows(std::size_t group, std::size_t sense) const {
-    return sense == 0 || !groups_[group].fixed;
+    const Flown flown = groups_[group].flown;
+    return sense == 0 || flown == Flown::to_and_fro || (sense == 3 && flown == Flown::in_a_chain);
   }
   PointM entry(std::size_t group, std::size_t sense) const { return ends_[group][sense].entry; }
   PointM exit(std::size_t group, std::size_t sense) const { return ends_[group][sense].exit; }

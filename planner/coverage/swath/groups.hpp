@@ -12,11 +12,17 @@ struct GroundStrip {
   double half_width_m;
 };
 
-/// Strips that lie side by side and are flown together, to and fro, in this order or its reverse.
-/// A group that must be flown as it stands (a headland round) is `fixed`.
+/// How the strips of a group follow each other.
+enum class Flown {
+  to_and_fro,  ///< Side by side: each from the other end than the one before, from any corner.
+  in_a_chain,  ///< End to end, from either end of the chain.
+  as_it_is,    ///< End to end, in this sense only.
+};
+
+/// Strips that are flown together, in this order or its reverse.
 struct StripGroup {
   std::vector<GroundStrip> strips;
-  bool fixed = false;
+  Flown flown = Flown::to_and_fro;
 };
 
 /// Groups the chords of a sweep: chords of neighbouring rows belong together while each has just

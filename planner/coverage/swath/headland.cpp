@@ -15,7 +15,7 @@ StripGroup round_along(const RingM& ring, double half_width_m, bool backwards) {
     if (corners.empty() || norm(p - corners.back()) > shortest_side_m) corners.push_back(p);
   }
   if (backwards) std::reverse(corners.begin(), corners.end());
-  StripGroup group{{}, true};
+  StripGroup group{{}, Flown::as_it_is};
   for (std::size_t i = 0; i < corners.size(); ++i) {
     group.strips.push_back({corners[i], corners[(i + 1) % corners.size()], half_width_m});
   }

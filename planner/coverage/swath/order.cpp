@@ -112,7 +112,7 @@ double least_link_m(const GroupWays& ways, const Tour& tour, std::size_t at, Ste
 
 bool has_fixed(const GroupWays& ways, const Tour& tour, std::size_t first, std::size_t last) {
   for (std::size_t i = first; i <= last; ++i) {
-    if (!ways.allows(tour[i].group, 1)) return true;
+    if (!ways.allows(tour[i].group, 3)) return true;
   }
   return false;
 }
@@ -122,7 +122,7 @@ bool reverse_a_stretch(const GroupWays& ways, Tour& tour) {
   bool improved = false;
   for (std::size_t i = 0; i < tour.size(); ++i) {
     for (std::size_t j = i; j < tour.size(); ++j) {
-      if (!ways.allows(tour[j].group, 1)) break;
+      if (!ways.allows(tour[j].group, 3)) break;
       const bool at_end = j + 1 == tour.size();
       const Step first = reversed(ways, tour[j]), last = reversed(ways, tour[i]);
       const double old_m =

@@ -11,10 +11,13 @@ namespace furrow::planner {
 namespace {
 
 constexpr int most_rounds = 3;
+constexpr double bend = 0.05;       // swaths by which an edge strip may pass a curved edge
 constexpr double widest_gap = 8.0;  // swaths between missed places that one strip still joins
 
+// A side of a ring, or a chord of it that passes over vertices.
 struct Edge {
   PointM from, to;
+  double bulge_m;  ///< How far passed-over vertices lie from it.
 };
 
 // Missed places along one edge, in its row frame.
@@ -36,10 +39,37 @@ PointM middle_of(const RingM& ring) {
   return (1.0 / static_cast<double>(ring.size())) * sum;
 }
 
-std::vector<Edge> edges_of(const LandParts& land) {
+// Chords between `first` and `last` (taken round the ring) that pass vertices within `bend_m`.
+// Source: Douglas, Peucker 1973.
+void append_chords(const RingM& ring, std::size_t first, std::size_t last, double bend_m,
+                   std::vector<Edge>& edges) {
+  const Edge chord{ring[first % ring.size()], ring[last % ring.size()], 0};
+  double furthest_m = 0;
+  std::size_t split = first;
+  for (std::size_t i = first + 1; i < last; ++i) {
+    const double away_m = distance_m(ring[i % ring.size()], chord);
+    if (away_m > furthest_m) {
+      furthest_m = away_m;
+      split = i;
+    }
+  }
+  if (furthest_m <= bend_m) {
+    if (!(chord.from == chord.to)) edges.push_back({chord.from, chord.to, furthest_m});
+    return;
+  }
+  append_chords(ring, first, split, bend_m, edges);
+  append_chords(ring, split, last, bend_m, edges);
+}
+
+std::vector<Edge> edges_of(const LandParts& land, double bend_m) {
   std::vector<Edge> edges;
+  const auto add = [&](const RingM& ring) {
+    append_chords(ring, 0, ring.size() / 2, bend_m, edges);
+    append_chords(ring, ring.size() / 2, ring.size(), bend_m, edges);
+  };
   for (const LandPart& part : land) {
-    each_edge(part, [&](PointM a, PointM b) { edges.push_back({a, b}); });
+    add(part.outer);
+    for (const RingM& hole : part.holes) add(hole);
   }
   return edges;
 }
@@ -94,7 +124,7 @@ std::vector<GroundStrip> strips_beside(const LandPart& flight, const Edge& edge,
   const RowFrame frame = RowFrame::along(edge.to - edge.from);
   const double edge_v = frame.to(edge.from).y;
   std::vector<GroundStrip> strips;
-  const Row row{edge_v + swath_m / 2, swath_m / 2};
+  const Row row{edge_v + swath_m / 2 - edge.bulge_m, swath_m / 2};
   for (const Chord& chord : chords_at(flight, {}, frame, row, EdgeMode::cover_all)) {
     const double low = std::max(chord.low_m, stretch.low_m);
     const double high = std::min(chord.high_m, stretch.high_m);
@@ -110,34 +140,55 @@ LandParts missed_by(const std::vector<GroundStrip>& strips, const LandParts& lan
   return missed_land(runs, land);
 }
 
+// A strip beside an edge; edges are numbered along their ring.
+struct EdgeStrip {
+  std::size_t edge;
+  GroundStrip strip;
+};
+
+// Strips that follow each other along the edge, end to end, become one chain.
+std::vector<StripGroup> chains_of(std::vector<EdgeStrip> strips, double swath_m) {
+  std::stable_sort(strips.begin(), strips.end(),
+                   [](const EdgeStrip& a, const EdgeStrip& b) { return a.edge < b.edge; });
+  std::vector<StripGroup> groups;
+  for (const EdgeStrip& next : strips) {
+    if (groups.empty() || norm(groups.back().strips.back().b - next.strip.a) > swath_m) {
+      groups.push_back({{}, Flown::in_a_chain});
+    }
+    groups.back().strips.push_back(next.strip);
+  }
+  return groups;
+}
+
 }  // namespace
 
-std::vector<GroundStrip> edge_strips(const LandPart& flight, const LandParts& land,
-                                     const std::vector<GroundStrip>& strips, double swath_m,
-                                     double tolerance, double least_m) {
-  const std::vector<Edge> edges = edges_of(land);
+std::vector<StripGroup> edge_strips(const LandPart& flight, const LandParts& land,
+                                    const std::vector<GroundStrip>& strips, double swath_m,
+                                    double tolerance, double least_m) {
+  const std::vector<Edge> edges = edges_of(land, bend * swath_m);
   const double allowed_m2 = tolerance * area_m2(land);
-  std::vector<GroundStrip> all = strips, added;
+  std::vector<EdgeStrip> added;
+  LandParts missed = missed_by(strips, land);
   for (int round = 0; round < most_rounds; ++round) {
-    const LandParts missed = missed_by(all, land);
     double left_m2 = area_m2(missed);
     if (left_m2 <= allowed_m2) break;
     std::vector<Stretch> stretches = stretches_of(missed, edges, widest_gap * swath_m);
     std::stable_sort(stretches.begin(), stretches.end(),
                      [](const Stretch& a, const Stretch& b) { return a.missed_m2 > b.missed_m2; });
-    const std::size_t before = added.size();
+    std::vector<GroundStrip> more;
     for (const Stretch& stretch : stretches) {
       if (left_m2 <= allowed_m2) break;
       for (const GroundStrip& strip :
            strips_beside(flight, edges[stretch.edge], stretch, swath_m, least_m)) {
-        added.push_back(strip);
-        all.push_back(strip);
+        added.push_back({stretch.edge, strip});
+        more.push_back(strip);
       }
       left_m2 -= stretch.missed_m2;
     }
-    if (added.size() == before) break;
+    if (more.empty()) break;
+    missed = missed_by(more, missed);
   }
-  return added;
+  return chains_of(std::move(added), swath_m);
 }
 
 }  // namespace furrow::planner

@@ -11,13 +11,13 @@ namespace furrow::planner {
 /// `tolerance` of the land is missed or no edge strip helps.
 ///
 /// Where rows meet an edge at a slant, they leave a saw of triangles; where the land ends between
-/// two rows, a thin band. One strip along the edge covers either.
+/// two rows, a thin band. One strip along the edge covers either; along a curve, a chain of them.
 ///
 /// @param flight   Where strips may lie.
 /// @param strips   What is sprayed already.
 /// @param least_m  Shorter edge strips are not worth flying.
-std::vector<GroundStrip> edge_strips(const LandPart& flight, const LandParts& land,
-                                     const std::vector<GroundStrip>& strips, double swath_m,
-                                     double tolerance, double least_m);
+std::vector<StripGroup> edge_strips(const LandPart& flight, const LandParts& land,
+                                    const std::vector<GroundStrip>& strips, double swath_m,
+                                    double tolerance, double least_m);
 
 }  // namespace furrow::planner

@@ -64,7 +64,7 @@ PartPlan plan_part(const LandPart& flight, const FieldLand& field,
     const LandParts here = field.flight.size() == 1 ? field.land : LandParts{flight};
     const auto more = edge_strips(flight, here, strips_of(plan), rule.swath_m, s.miss_tolerance,
                                   s.min_strip.base());
-    for (const GroundStrip& strip : more) plan.groups.push_back({{strip}, false});
+    plan.groups.insert(plan.groups.end(), more.begin(), more.end());
     if (!more.empty()) plan.order = strip_order(plan.groups, paths, rule.start);
   }
   join_corners(plan.order, paths.edges());

@@ -81,12 +81,9 @@ Verdict tried(std::uint64_t seed) {
   const SprayedAreas& a = c->areas;
   const double land_m2 = (a.covered + a.missed).base();
   const double left_m2 = (a.sprayed - a.covered - a.outside - a.repeated).base();
-  double width_m2 = 0;
-  for (const SwathStrip& s : c->strips) width_m2 += (distance(s.from, s.to) * s.width).base();
   return {.planned = true,
           .outside_m = outside_m(field, swath, *c),
-          .unbalanced = std::max(std::abs(left_m2) / a.sprayed.base(),
-                                 std::abs(width_m2 - a.sprayed.base()) / land_m2),
+          .unbalanced = std::abs(left_m2) / land_m2,
           .sprayed_outside_m2 = a.outside.base(),
           .inside_only = settings.edges == EdgeMode::stay_inside && settings.headland_passes == 0};
 }
