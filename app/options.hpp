@@ -14,15 +14,15 @@ struct Pace {
 
 /// What the command line asks for.
 struct Options {
-  std::string scenario;              ///< Path of the scenario file.
-  std::string out;                   ///< Empty: out/<scenario name>.
-  std::optional<std::uint64_t> seed; ///< Instead of the scenario's.
+  std::string scenario;               ///< Path of the scenario file.
+  std::string out;                    ///< Empty: out/<scenario name>.
+  std::optional<std::uint64_t> seed;  ///< Instead of the scenario's.
   Pace pace;
-  bool json = false;                 ///< result.json to stdout, and nothing else there.
+  bool json = false;  ///< result.json to stdout, and nothing else there.
   bool quiet = false;
-  std::uint32_t agents_per_process = 1;
+  std::uint32_t agents_per_process = 0;  ///< 0: one, or as many as fit into 50 processes.
   std::string interface = "127.0.0.1";
-  std::string program_folder;        ///< Where the other programs of this build are.
+  std::string program_folder;  ///< Where the other programs of this build are.
 };
 
 /// Exit codes, as every user may rely on them.

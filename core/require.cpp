@@ -5,11 +5,10 @@
 
 namespace furrow {
 
-void require(bool holds, std::string_view rule, std::source_location where) {
+void require(bool holds, std::string_view rule, const char* file, int line) {
   if (holds) return;
-  std::fprintf(stderr, "furrow: broken rule: %.*s (%s:%u in %s)\n", static_cast<int>(rule.size()),
-               rule.data(), where.file_name(), static_cast<unsigned>(where.line()),
-               where.function_name());
+  std::fprintf(stderr, "furrow: broken rule: %.*s (%s:%d)\n", static_cast<int>(rule.size()),
+               rule.data(), file, line);
   std::abort();
 }
 

@@ -13,6 +13,7 @@ enum class PlanFault {
   direction_unsupported,  ///< The grid model flies along a multiple of 90 degrees.
   out_of_reach,           ///< Move the station closer or use a pack that lasts longer.
   tank_too_small,         ///< A tank must last for at least one cell.
+  swaths_differ,          ///< Aircraft that share one route spray one width.
 };
 
 struct PlanError {
@@ -29,6 +30,7 @@ constexpr std::string_view name(PlanFault fault) {
     case PlanFault::direction_unsupported: return "direction_unsupported";
     case PlanFault::out_of_reach: return "out_of_reach";
     case PlanFault::tank_too_small: return "tank_too_small";
+    case PlanFault::swaths_differ: return "swaths_differ";
   }
   return "unknown";
 }

@@ -54,6 +54,7 @@ std::optional<Visit> BayQueue::hear(const ServiceClaim& claim, Instant now) {
     finish(claim.agent, now);
     visit = nullptr;
   }
+  if (visit == nullptr) visit = revive(claim, now);
   if (claim.status == ClaimStatus::released) {
     finish(claim.agent, now);
     past_.at(claim.agent).finished = claim.claim;
@@ -80,6 +81,22 @@ std::optional<Visit> BayQueue::hear(const ServiceClaim& claim, Instant now) {
   return *visit;
 }
 
+/// Takes up the visit of a holder that had fallen silent where it was left, in the same bay, while
+/// nobody else has that.
+Visit* BayQueue::revive(const ServiceClaim& claim, Instant now) {
+  const auto found = lapsed_.find(claim.agent);
+  if (found == lapsed_.end()) return nullptr;
+  Visit visit = found->second;
+  lapsed_.erase(found);
+  if (visit.boot != claim.boot) return nullptr;
+  count(visit, now);  // it was served in silence
+  if (visit.claim != claim.claim || !is_free(visit.bay)) return nullptr;
+  visit.expires = now + terms_.lease;
+  ++changes_;
+  return &*visits_.insert(std::upper_bound(visits_.begin(), visits_.end(), visit, is_before),
+                          visit);
+}
+
 void BayQueue::count(Visit& visit, Instant now) {
   if (visit.bay == 0 || visit.counted || visit.ready > now) return;
   visit.counted = true;
@@ -101,18 +118,24 @@ Instant BayQueue::dropped_at(const Visit& visit) const {
   return visit.bay == 0 ? visit.expires : visit.expires + terms_.clearing;
 }
 
-/// The visit itself is not over: its agent may renew it late, and queues again in its old place.
+/// A visit dropped is not over: its agent may renew it late, and queues again in its old place.
 void BayQueue::drop_expired(Instant now) {
-  for (Visit& visit : visits_) count(visit, now);
+  for (Visit& visit : visits_) {
+    count(visit, now);
+    if (visit.bay != 0 && dropped_at(visit) <= now) lapsed_.insert_or_assign(visit.agent, visit);
+  }
   changes_ += std::erase_if(visits_, [&](const Visit& v) { return dropped_at(v) <= now; });
+}
+
+bool BayQueue::is_free(std::uint32_t bay) const {
+  return std::none_of(visits_.begin(), visits_.end(),
+                      [bay](const Visit& v) { return v.bay == bay; });
 }
 
 /// The lowest free bay, 0 when all are taken.
 std::uint32_t BayQueue::free_bay() const {
   for (std::uint32_t bay = 1; bay <= station_.bays; ++bay) {
-    const bool taken =
-        std::any_of(visits_.begin(), visits_.end(), [bay](const Visit& v) { return v.bay == bay; });
-    if (!taken) return bay;
+    if (is_free(bay)) return bay;
   }
   return 0;
 }

@@ -41,7 +41,8 @@ struct HandedOut {
 
 /// The bays of one station and the queue for them: first come first served, by the instant of the
 /// first claim, then by agent id. Claims may be lost, repeated and reordered: a claim of an earlier
-/// visit, of a finished one or of an earlier incarnation of an agent changes nothing.
+/// visit, of a finished one or of an earlier incarnation of an agent changes nothing. A holder that
+/// is heard again after its bay was freed has it back with the same token while nobody else has it.
 ///
 /// First come counts among the claims that have arrived: a free bay is not kept for one that may
 /// still be on its way.
@@ -79,16 +80,19 @@ class BayQueue {
 
   bool is_present(const ServiceClaim& claim);
   Visit* visit_of(AgentId agent);
+  Visit* revive(const ServiceClaim& claim, Instant now);
   void finish(AgentId agent, Instant now);
   void count(Visit& visit, Instant now);
   void drop_expired(Instant now);
   Instant dropped_at(const Visit& visit) const;
+  bool is_free(std::uint32_t bay) const;
   std::uint32_t free_bay() const;
 
   Station station_;
   LeaseTerms terms_;
   std::vector<Visit> visits_;  ///< Sorted by first claim, then agent.
   std::map<AgentId, Past> past_;
+  std::map<AgentId, Visit> lapsed_;  ///< Holders dropped for their silence.
   HandedOut handed_out_;
   std::uint64_t last_token_ = 0;
   std::uint64_t changes_ = 0;

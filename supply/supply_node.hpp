@@ -10,7 +10,7 @@ namespace furrow::supply {
 struct SupplySettings {
   Station station;
   std::map<AgentId, Volume> tanks;  ///< Of every aircraft that may come, to count litres.
-  LeaseTerms terms{.lease = std::chrono::seconds{3}, .clearing = std::chrono::seconds{3}};
+  LeaseTerms terms{.lease = std::chrono::seconds{3}, .clearing = std::chrono::seconds{1}};
 };
 
 /// A supply station as a node: takes claims, answers with bays, and says at whole seconds what has

@@ -87,6 +87,11 @@ void clear_around(Grid& grid, const Obstacle& obstacle, double slack) {
   }
 }
 
+bool is_sound(const Obstacle& o) {
+  return std::isfinite(o.center.x.base()) && std::isfinite(o.center.y.base()) &&
+         std::isfinite(o.radius.base()) && o.radius >= Length{};
+}
+
 struct Extent {
   FieldPoint low, high;
 };
@@ -106,6 +111,11 @@ Expected<Grid, PlanError> field_grid(const Field& field, Length swath, Length ma
   require(swath > Length{} && margin >= Length{}, "a swath is wider than 0, a margin at least 0");
   const auto rings = land_rings(field, margin);
   if (!rings) return Unexpected{rings.error()};
+  for (const Obstacle& o : field.obstacles) {
+    if (is_sound(o)) continue;
+    return Unexpected{PlanError{PlanFault::field_invalid,
+                                fmt::format("obstacle {} is no circle of finite size", o.id)}};
+  }
 
   const Extent extent = extent_of(field.boundary);
   const double wide = (extent.high.x - extent.low.x) / swath;

@@ -37,7 +37,8 @@ struct Grid {
 /// @param swath   > 0.
 /// @param margin  Inset from boundary and holes, >= 0.
 ///
-/// @error   field_invalid     See `land_rings`; or there are more than 20 million cells.
+/// @error   field_invalid     See `land_rings`; or an obstacle is no circle; or there are more than
+///                            20 million cells.
 /// @error   nothing_to_spray  No cell is workable.
 ///
 /// Time O(cells + rows x edges).

@@ -65,7 +65,8 @@ class WorkLaws final : public Checker {
   struct Work {
     std::map<std::uint64_t, CellRange> granted;     // by grant id
     std::map<std::uint64_t, std::uint32_t> closed;  // cells sprayed, by grant id
-    std::uint32_t sortie_cells = 0;                 // passed with the valve open in this sortie
+    std::uint32_t sortie_cells = 0;   // passed with the valve open in this sortie
+    std::uint32_t sortie_pieces = 0;  // straight runs of them
   };
 
   void observe_grant(const WorkGrant& grant, Instant at) {
@@ -87,6 +88,7 @@ class WorkLaws final : public Checker {
   void observe_flight(const FlightRecord& flown, Instant at) {
     Work& work = work_[flown.agent];
     work.sortie_cells += flown.cells.count;
+    work.sortie_pieces += flown.cells.count > 0;
     for (std::uint32_t cell = flown.cells.first; cell < end(flown.cells); ++cell) {
       if (cell >= sprayed_.size()) {
         report("L5", at,
@@ -152,13 +154,15 @@ class WorkLaws final : public Checker {
   }
 
   // Dose: what left the tank, as distance sprayed, against the cells it covered. A sortie may end
-  // or begin within a cell, and turns between strips are sprayed on a shortened corner.
+  // or begin within a cell, and the smoothed turn between two strips, two quarter circles of half a
+  // cell's radius, is 2 - pi / 2 = 0.43 of a cell shorter than the corners it cuts.
   void observe_sortie(const SortieReport& sortie, Instant at) {
     Work& work = work_[sortie.agent];
     const double cell_m = facts_.plan.route.cell.base();
     const double covered_m = work.sortie_cells * cell_m;
-    work.sortie_cells = 0;
-    if (std::abs(sortie.sprayed.base() - covered_m) > 0.02 * covered_m + 2.0 * cell_m) {
+    const double slack_m = 0.02 * covered_m + (2.0 + 0.5 * work.sortie_pieces) * cell_m;
+    work.sortie_cells = work.sortie_pieces = 0;
+    if (std::abs(sortie.sprayed.base() - covered_m) > slack_m) {
       report("L5", at,
              fmt::format("{} sprayed {:.1f} m in sortie {} on {:.1f} m of cells",
                          text(node(sortie.agent)), sortie.sprayed.base(), sortie.sortie + 1,

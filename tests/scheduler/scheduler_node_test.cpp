@@ -142,10 +142,10 @@ Run fly(SchedulerSettings s, const Link& radio, std::uint64_t seed, std::uint32_
   NodeHost host{radio, seed};
   host.add(scheduler_node(), AnyNode{SchedulerNode{std::move(s)}}, Instant{});
   for (std::uint32_t i = 1; i <= agents; ++i) {
-    host.add(node(AgentId{i}), AnyNode{Follower{AgentId{i}, &run.sprayed}}, Instant{});
+    host.add(node(AgentId{i}), AnyNode{Follower{AgentId{i}, &run.sprayed}}, Instant{},
+             AgentId{i} == victim ? killed_at : never);
   }
   while (host.next_event() < at_s(1200)) {
-    if (host.next_event() >= killed_at) host.remove(node(victim));
     for (Envelope& e : host.advance(host.next_event() + radio.latency)) {
       host.deliver(e);
       run.log.push_back(std::move(e));

@@ -90,6 +90,45 @@ TEST_CASE("queue: a silent holder's bay goes on at lease plus clearing, and no e
   CHECK(queue.handed_out().tanks.empty());  // the first was never served to its end
 }
 
+TEST_CASE("queue: a holder heard again has its bay back while nobody else has it", "[supply]") {
+  BayQueue queue{station(1), terms};
+  queue.hear(claim(1, 0), at_s(0));
+  queue.advance(at_s(0));
+  queue.advance(at_s(5));
+  CHECK(queue.in_bay().empty());
+  const auto back = queue.hear(with(claim(1, 0), ClaimStatus::in_bay, 1), at_s(7));
+  REQUIRE(back);
+  CHECK(back->token == 1);
+  CHECK(back->ready == at_s(40));
+  CHECK(queue.advance(at_s(7)).empty());
+}
+
+TEST_CASE("queue: a holder heard again queues in its old place when its bay is another's",
+          "[supply]") {
+  BayQueue queue{station(1), terms};
+  queue.hear(claim(1, 0), at_s(0));
+  queue.advance(at_s(0));
+  queue.hear(claim(2, 4), at_s(5));
+  CHECK(queue.advance(at_s(5)).size() == 1);
+  queue.hear(claim(3, 5), at_s(6));
+  const auto back = queue.hear(with(claim(1, 0), ClaimStatus::in_bay, 1), at_s(7));
+  REQUIRE(back);
+  CHECK(back->bay == 0);
+  CHECK(queue.waiting()[0].agent == AgentId{1});
+}
+
+TEST_CASE("queue: a service that ended in silence counts when its holder is heard again",
+          "[supply]") {
+  BayQueue queue{station(1), terms};
+  queue.hear(claim(1, 0), at_s(0));
+  queue.advance(at_s(0));
+  queue.advance(at_s(5));
+  queue.hear(with(claim(1, 0), ClaimStatus::released, 1), at_s(45));
+  queue.hear(with(claim(1, 0), ClaimStatus::released, 1), at_s(46));
+  queue.advance(at_s(46));
+  CHECK(queue.handed_out().tanks.at(AgentId{1}) == 0.5);
+}
+
 TEST_CASE("queue: late, repeated and reordered claims of a finished visit change nothing",
           "[supply]") {
   BayQueue queue{station(1), terms};

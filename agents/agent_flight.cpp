@@ -1,0 +1,234 @@
+#include "agents/agent_node.hpp"
+#include "agents/control_clock.hpp"
+#include "agents/text.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace furrow::agents {
+namespace {
+
+constexpr double no_stop = std::numeric_limits<double>::infinity();
+constexpr double hover_m = 0.5;        // a hovering aircraft is where it means to be, within this
+constexpr double tank_slack_m = 1e-3;  // rounding of a tank filled to the very metre
+constexpr double way_home_slack_s = 2.0;
+
+}  // namespace
+
+bool AgentNode::is_airborne() const {
+  return phase_ == Phase::fly_out || phase_ == Phase::spray || phase_ == Phase::hold ||
+         phase_ == Phase::fly_back;
+}
+
+void AgentNode::fly_one_period(Instant t) {
+  last_tick_ = t;
+  aircraft_.fly(stop_m_);
+  if (route_piece_ < route_->pieces.size()) work(t);
+  if (t == on_grid(t, whole_second)) log_.point(t, aircraft_, is_valve_open_);
+  if (aircraft_.stores.pack_share <= 0.0) return fall(t);
+  if (phase_ != Phase::fly_back) watch_stores(t);
+  if (aircraft_.is_at_rest(stop_m_)) come_to_rest(t);
+}
+
+// Sprays what lies between the last position along the path and this one.
+void AgentNode::work(Instant t) {
+  double reached_m = aircraft_.along_m();
+  if (aircraft_.is_at_rest(stop_m_) && reached_m > stop_m_ - hover_m) reached_m = stop_m_;
+  reached_m = std::clamp(reached_m, progress_m_, std::max(stop_m_, progress_m_));
+
+  const PieceOnPath& piece = route_->pieces[route_piece_];
+  if (phase_ == Phase::fly_out && reached_m >= piece.open_m) {
+    flush_flight_log();
+    phase_ = Phase::spray;
+  }
+  if (is_valve_open_ && reached_m > piece.from_m && aircraft_.pilot().segment().is_straight()) {
+    log_.sample(piece.piece, aircraft_);
+  }
+  pass_cells(reached_m, t);
+  progress_m_ = reached_m;
+
+  const bool is_on_piece =
+      route_piece_ < route_->pieces.size() && reached_m >= route_->pieces[route_piece_].open_m;
+  const bool is_open = is_on_piece && reached_m < stop_m_;
+  if (is_open != is_valve_open_) move_valve(is_open, t);
+  if (phase_ == Phase::fly_back) flush_flight_log();
+}
+
+void AgentNode::pass_cells(double reached_m, Instant t) {
+  while (route_piece_ < route_->pieces.size()) {
+    const std::size_t current = route_piece_;
+    const PieceOnPath& piece = route_->pieces[current];
+    const double sprayed_m =
+        std::min(reached_m, piece.close_m) - std::max(progress_m_, piece.open_m);
+    if (sprayed_m > 0.0) {
+      aircraft_.stores.spray(vehicle_, sprayed_m);
+      sortie_.sprayed += metres(sprayed_m);
+      spray_left_m_ -= sprayed_m;
+    }
+    while (route_piece_ == current && next_cell_m_ <= reached_m) {
+      if (!is_licensed()) return;
+      pass_cell(t);
+    }
+    if (route_piece_ == current) return;
+  }
+}
+
+void AgentNode::pass_cell(Instant t) {
+  const std::uint32_t cell = order_->next_cell();
+  const Piece& strip = route_->pieces[route_piece_].piece;
+  if (log_.would_break(cell)) flush_flight_log();
+  log_.cell(cell, strip, aircraft_);
+  const bool closed = ledger_.spray(cell, t);
+  const bool was_last = order_->spray();
+  if (++route_cell_ == strip.cells.count) {
+    route_cell_ = 0;
+    ++route_piece_;
+    flush_flight_log();
+  }
+  if (was_last) {
+    phase_ = Phase::fly_back;
+    leaving_.reset();
+    stop_m_ = no_stop;
+    sortie_.spray_ended = t;
+    sortie_.returned_at = strip.to;
+  }
+  expect_next_cell();
+  if (closed) next_report_ = t;
+}
+
+void AgentNode::expect_next_cell() {
+  if (route_piece_ < route_->pieces.size()) {
+    next_cell_m_ = route_->cell_m(route_piece_, route_cell_);
+  }
+}
+
+void AgentNode::move_valve(bool open, Instant t) {
+  is_valve_open_ = open;
+  if (t != on_grid(t, whole_second)) log_.point(t, aircraft_, open);
+}
+
+// Turns for home while energy and mix still suffice for it. The way home is flown at ferry speed
+// whatever the wind, as far as an order is taken at all; the slack covers braking and turning.
+void AgentNode::watch_stores(Instant t) {
+  const bool must_go_home = leaving_ && *leaving_ != CloseReason::superseded;
+  if (must_go_home) return;
+  const double home_m = norm(xy_m(home_.position) - aircraft_.estimate_m());
+  const double brake_s =
+      2.0 * aircraft_.pilot().pace().speed_mps() / planned_acceleration_mps2(vehicle_);
+  const double need_s = straight_way_s(home_m, vehicle_) + brake_s + way_home_slack_s;
+  if (aircraft_.stores.flight_left_s(vehicle_) < need_s) {
+    return leave(CloseReason::battery_low, t);
+  }
+  if (leaving_ || route_piece_ >= route_->pieces.size()) return;
+
+  const double tank_m = aircraft_.stores.spray_left_m(vehicle_) + tank_slack_m;
+  const double next_m =
+      aircraft_.pilot().pace().braking_m() + 2.0 * route_->pieces[route_piece_].spacing_m + hover_m;
+  if (tank_m < spray_left_m_ && tank_m < next_m) leave(CloseReason::tank_low, t);
+}
+
+void AgentNode::leave(CloseReason reason, Instant t) {
+  leaving_ = reason;
+  const auto& stores = aircraft_.stores;
+  if (reason != CloseReason::superseded) {
+    note("return_early",
+         (reason == CloseReason::tank_low ? "returns for mix, " : "returns for energy, ") +
+             fixed(100.0 * stores.tank_share, 1) + " % of a tank and " +
+             fixed(100.0 * stores.pack_share, 1) + " % of a pack left");
+  }
+  if (phase_ == Phase::hold) return come_to_rest(t);
+  stop_m_ = leaving_stop_m();
+}
+
+// The centre of the next cell at which it can stop, so that work resumes exactly there; anywhere
+// where nothing is sprayed.
+double AgentNode::leaving_stop_m() const {
+  const double soonest_m =
+      aircraft_.pilot().pace().along_m() + aircraft_.pilot().pace().braking_m();
+  if (route_piece_ >= route_->pieces.size() || leaving_ == CloseReason::superseded) {
+    return std::min(stop_m_, soonest_m);
+  }
+  const PieceOnPath& piece = route_->pieces[route_piece_];
+  if (progress_m_ < piece.open_m) return std::min(stop_m_, soonest_m);
+  for (std::uint32_t i = route_cell_; i < piece.piece.cells.count; ++i) {
+    const double cell_m = route_->cell_m(route_piece_, i);
+    if (cell_m >= soonest_m) return std::min(stop_m_, cell_m);
+  }
+  return std::min(stop_m_, piece.close_m);
+}
+
+void AgentNode::come_to_rest(Instant t) {
+  if (leaving_ == CloseReason::superseded) {
+    leaving_.reset();
+    route_->pieces.clear();
+    if (order_->is_finished()) return fly_home(t);
+    phase_ = Phase::hold;
+    return relicense();
+  }
+  if (leaving_) return fly_home(t);
+  if (phase_ == Phase::fly_back) return land(t);
+  if (phase_ != Phase::hold && stop_m_ < no_stop) begin_hold(t);
+}
+
+void AgentNode::begin_hold(Instant t) {
+  phase_ = Phase::hold;
+  if (is_valve_open_) move_valve(false, t);
+  flush_flight_log();
+  note("hold_begun", "waits in the air for a grant of cell " + std::to_string(order_->next_cell()));
+}
+
+void AgentNode::end_hold() {
+  phase_ = progress_m_ >= route_->pieces.front().open_m ? Phase::spray : Phase::fly_out;
+  note("hold_ended", "goes on");
+}
+
+void AgentNode::fly_home(Instant t) {
+  if (is_valve_open_) move_valve(false, t);
+  ledger_.close_all(leaving_.value_or(CloseReason::superseded), t);
+  next_report_ = t;
+  leaving_.reset();
+  flush_flight_log();
+  sortie_.spray_ended = t;
+  sortie_.returned_at = field_point(aircraft_.estimate_m());
+  follow(sortie_route(aircraft_.estimate_m(), {}, xy_m(home_.position), vehicle_));
+  phase_ = Phase::fly_back;
+  stop_m_ = no_stop;
+}
+
+void AgentNode::follow(SortieRoute route) {
+  if (route_) flown_m_ += aircraft_.pilot().pace().along_m();
+  route_ = std::move(route);
+  aircraft_.follow(route_->path);
+  route_piece_ = 0;
+  route_cell_ = 0;
+  progress_m_ = 0.0;
+  spray_left_m_ = route_->spray_m;
+  expect_next_cell();
+}
+
+// Where grants let the aircraft go from now on.
+void AgentNode::relicense() {
+  if (!is_airborne() || phase_ == Phase::fly_back || leaving_ || !is_licensed()) return;
+  if (route_->pieces.empty()) {  // hovers without a way: a new order came
+    const auto rest = order_->rest_of_sortie();
+    home_ = station(order_->station());
+    follow(sortie_route(aircraft_.estimate_m(), rest, xy_m(home_.position), vehicle_));
+  }
+  const std::uint32_t licensed = ledger_.licensed_to(order_->next_cell());
+  stop_m_ = no_stop;
+  for (std::size_t i = route_piece_; i < route_->pieces.size(); ++i) {
+    const CellRange cells = route_->pieces[i].piece.cells;
+    const bool ends_here = licensed > cells.first && licensed <= end(cells);
+    if (ends_here && licensed < order_->sortie_end()) {
+      stop_m_ = route_->cell_m(i, licensed - 1 - cells.first);
+    }
+  }
+  if (phase_ == Phase::hold) end_hold();
+}
+
+void AgentNode::flush_flight_log() {
+  if (!log_.is_empty()) send(log_.take());
+}
+
+}  // namespace furrow::agents

@@ -1,0 +1,220 @@
+#include "agents/agent_node.hpp"
+#include "agents/control_clock.hpp"
+#include "agents/text.hpp"
+#include "core/require.hpp"
+
+#include <algorithm>
+
+namespace furrow::agents {
+namespace {
+
+// A forecast has to hold against what the flight watches for: braking, turning, gusts.
+constexpr double forecast_factor = 1.005;
+constexpr double forecast_slack_s = 6.0;
+constexpr double nothing_to_fill = 1e-9;
+
+}  // namespace
+
+void AgentNode::adopt(const Command& command, Instant now) {
+  if (command.agent != vehicle_.id || command.target_boot != settings_.boot) return;
+  if (order_ && order_->is_same_as(command)) {  // sent again, so the answer was lost
+    return acknowledge(last_ack_, last_ack_reason_);
+  }
+  if (command.epoch < scheduler_epoch_ || (order_ && !order_->is_older_than(command))) return;
+  scheduler_epoch_ = command.epoch;
+
+  const double wind_mps = (settings_.wind.mean + 2.0 * settings_.wind.gust).base();
+  auto fault = fault_in(command, settings_.stations);
+  if (!fault && wind_mps > workable_wind_mps(vehicle_)) {
+    fault = "gusts of " + fixed(wind_mps, 1) + " m/s leave no headway, " +
+            fixed(workable_wind_mps(vehicle_), 1) + " m/s is the most";
+  }
+  if (!fault) return replace_order(command, now);
+  send(CommandAck{.agent = vehicle_.id,
+                  .boot = settings_.boot,
+                  .epoch = command.epoch,
+                  .revision = command.revision,
+                  .status = AckStatus::rejected,
+                  .reason = *fault});
+}
+
+void AgentNode::replace_order(const Command& command, Instant now) {
+  if (order_) {
+    ledger_.close_all(CloseReason::superseded, now);
+    if (!ledger_.closures().empty()) send_report(now);
+    if (order_->epoch() != command.epoch) ledger_.restart();
+  }
+  order_ = Order{command};
+  is_running_ = false;
+  acknowledge(AckStatus::received);
+  acknowledge(AckStatus::accepted);
+
+  if (is_airborne() && phase_ != Phase::fly_back) {
+    if (!leaving_) leave(CloseReason::superseded, now);
+  } else if (phase_ == Phase::idle && order_->is_finished()) {
+    finish(now);
+  } else if (phase_ == Phase::done && !order_->is_finished()) {
+    phase_ = Phase::wait;
+    prepare(now);
+  }
+}
+
+// Everything that happens up to `now` without a message, in order of time.
+void AgentNode::live_until(Instant now) {
+  for (;;) {
+    while (is_airborne() && last_tick_ + control_period <= now) {
+      fly_one_period(last_tick_ + control_period);
+    }
+    if (is_airborne()) return;
+    if (visit_ && visit_->is_served(now)) {
+      leave_bay();
+    } else if (is_prepared_ && is_licensed()) {
+      try_take_off(ready_);
+      if (!is_airborne()) return;
+    } else {
+      return;
+    }
+  }
+}
+
+// On the ground at a station: asks for what the next sortie needs, if anything.
+void AgentNode::prepare(Instant t) {
+  ready_ = std::max(ready_, t);
+  const Demand wanted = demand();
+  is_prepared_ = !wanted.swap && wanted.fill <= nothing_to_fill;
+  if (is_prepared_) return report_sortie();
+  visit_.emplace(vehicle_.id, settings_.boot, home_.id, ++claims_, t, wanted.swap, wanted.fill);
+  send(visit_->claim());
+}
+
+AgentNode::Demand AgentNode::demand() const {
+  const auto rest = order_->rest_of_sortie();
+  const Xy next_home = xy_m(station(order_->station()).position);
+  const auto route = sortie_route(aircraft_.estimate_m(), rest, next_home, vehicle_);
+
+  const double tank = aircraft_.stores.tank_share;
+  const double share = std::min(1.0, route.spray_m / tank_range(vehicle_).base());
+  const double time_s = forecast_factor * route.path.duration_s() + forecast_slack_s;
+  const double fill = std::max(0.0, share - tank);
+  return {.swap = aircraft_.stores.pack_share < 1.0 &&
+                  aircraft_.stores.flight_left_s(vehicle_) < time_s,
+          .fill = fill > nothing_to_fill ? fill : 0.0};
+}
+
+void AgentNode::leave_bay() {
+  ready_ = std::max(ready_, visit_->grant().ready);
+  const ServiceClaim& claim = visit_->claim();
+  const Station& at = station(claim.station);
+  if (claim.swap) {
+    aircraft_.stores.pack_share = 1.0;
+    ++pack_;
+  }
+  aircraft_.stores.tank_share = std::min(1.0, aircraft_.stores.tank_share + claim.fill);
+  sortie_.serviced = true;
+  sortie_.station = claim.station;
+  sortie_.bay = visit_->grant().bay;
+  sortie_.swapped = claim.swap;
+  sortie_.filled = claim.fill;
+  sortie_.wait = seconds(visit_->grant().starts - claim.first_claimed);
+  sortie_.swap_time = claim.swap ? at.battery_swap : Seconds{};
+  sortie_.fill_time = fill_time(at, claim.fill);
+  visit_->release();
+  send(visit_->claim());
+  report_sortie();
+  is_prepared_ = true;
+  phase_ = Phase::wait;
+  if (order_->is_finished()) finish(ready_);
+}
+
+bool AgentNode::is_licensed() const {
+  if (!order_ || order_->is_finished()) return false;
+  return ledger_.licensed_to(order_->next_cell()) > order_->next_cell();
+}
+
+void AgentNode::try_take_off(Instant t) {
+  const auto rest = order_->rest_of_sortie();
+  home_ = station(order_->station());
+  const Xy entry = xy_m(rest.front().entry), back = xy_m(home_.position);
+  const double there_and_back_s = straight_way_s(norm(entry - aircraft_.estimate_m()), vehicle_) +
+                                  straight_way_s(norm(back - entry), vehicle_);
+  if (there_and_back_s + forecast_slack_s > aircraft_.stores.flight_left_s(vehicle_)) {
+    ledger_.close_all(CloseReason::battery_low, t);
+    send_report(t);
+    phase_ = Phase::offline;
+    return acknowledge(AckStatus::failed, "cell " + std::to_string(order_->next_cell()) +
+                                              " is out of reach of one pack");
+  }
+  take_off(sortie_route(aircraft_.estimate_m(), rest, back, vehicle_), t);
+}
+
+void AgentNode::take_off(SortieRoute route, Instant t) {
+  last_tick_ = on_grid(t, control_period);
+  sortie_ = {};
+  sortie_.agent = vehicle_.id;
+  sortie_.sortie = sorties_flown_++;
+  sortie_.resumed_at = route.pieces.front().piece.entry;
+  sortie_.pack = pack_;
+  sortie_.began = last_tick_;
+  has_unreported_sortie_ = true;
+
+  flown_m_ = 0.0;
+  route_.reset();
+  aircraft_.take_off();
+  follow(std::move(route));
+  phase_ = Phase::fly_out;
+  log_.point(last_tick_, aircraft_, false);
+  if (!is_running_) acknowledge(AckStatus::running);
+  is_running_ = true;
+  note("sortie_begun", "takes off for sortie " + std::to_string(sortie_.sortie + 1) + ", " +
+                           fixed(route_->spray_m, 1) + " m to spray");
+  relicense();
+}
+
+void AgentNode::land(Instant t) {
+  aircraft_.land();
+  if (t != on_grid(t, whole_second)) log_.point(t, aircraft_, false);
+  flush_flight_log();
+  sortie_.landed = t;
+  sortie_.flight = seconds(t - sortie_.began);
+  sortie_.battery_used = sortie_.flight / vehicle_.flight_endurance;
+  sortie_.ferried = metres(flown_m_ + aircraft_.pilot().pace().along_m()) - sortie_.sprayed;
+  if (order_->is_finished()) return finish(t);
+  phase_ = Phase::wait;
+  prepare(t);
+}
+
+// The pack is empty in the air. Nothing but a broken model of energy leads here, yet nobody else
+// may be made to wait for this aircraft.
+void AgentNode::fall(Instant t) {
+  if (is_valve_open_) move_valve(false, t);
+  aircraft_.land();
+  flush_flight_log();
+  ledger_.close_all(CloseReason::battery_low, t);
+  send_report(t);
+  phase_ = Phase::offline;
+  note("pack_empty", "is down where it was, its pack is empty");
+  acknowledge(AckStatus::failed, "pack empty in the air");
+}
+
+void AgentNode::finish(Instant t) {
+  report_sortie();
+  phase_ = Phase::done;
+  is_prepared_ = true;
+  note("order_done", "has done its order at " + fixed(seconds(t).base(), 1) + " s");
+  acknowledge(AckStatus::done);
+}
+
+void AgentNode::report_sortie() {
+  if (!has_unreported_sortie_) return;
+  has_unreported_sortie_ = false;
+  send(sortie_);
+}
+
+const Station& AgentNode::station(StationId id) const {
+  const auto found = std::find_if(settings_.stations.begin(), settings_.stations.end(),
+                                  [&](const Station& s) { return s.id == id; });
+  require(found != settings_.stations.end(), "an accepted order names known stations only");
+  return *found;
+}
+
+}  // namespace furrow::agents

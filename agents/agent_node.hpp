@@ -1,0 +1,125 @@
+#pragma once
+
+#include "agents/aircraft.hpp"
+#include "agents/conduct/bay_visit.hpp"
+#include "agents/conduct/flight_log.hpp"
+#include "agents/conduct/order.hpp"
+#include "agents/conduct/sortie_route.hpp"
+#include "agents/conduct/work_ledger.hpp"
+#include "agents/settings.hpp"
+#include "core/node.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace furrow::agents {
+
+/// One aircraft with its conduct: follows the scheduler's command as far as grants release it,
+/// returns for mix and energy, and reports. Models Node.
+///
+/// It senses, decides and moves on a grid of 0.1 s of mission time. A message acts on the first
+/// tick after its arrival, so its flight is a function of what it was told and when, not of the
+/// instants at which it is stepped. On the ground it costs a heartbeat a second.
+class AgentNode {
+ public:
+  explicit AgentNode(AgentSettings settings);
+
+  Outbox step(const Inbox& inbox, Instant now);
+
+ private:
+  // agent_node.cpp: messages in and out, and when to wake.
+  void receive(const Body& body, Instant now);
+  void receive_scheduler(const SchedulerState& state, Instant now);
+  void send(Body body) { out_.push_back(std::move(body)); }
+  void note(std::string kind, std::string detail);
+  void acknowledge(AckStatus status, std::string reason = {});
+  void send_info(Instant now);
+  void send_report(Instant now);
+  void heartbeat(Instant now);
+  AgentState state() const;
+  bool is_retired() const;
+  Instant wake_after(Instant now) const;
+  Instant next_flight_event(Instant now) const;
+
+  // agent_flight.cpp: in the air.
+  bool is_airborne() const;
+  void fly_one_period(Instant t);
+  void work(Instant t);
+  void pass_cells(double reached_m, Instant t);
+  void pass_cell(Instant t);
+  void expect_next_cell();
+  void move_valve(bool open, Instant t);
+  void watch_stores(Instant t);
+  void leave(CloseReason reason, Instant t);
+  double leaving_stop_m() const;
+  void come_to_rest(Instant t);
+  void begin_hold(Instant t);
+  void end_hold();
+  void fly_home(Instant t);
+  void follow(SortieRoute route);
+  void relicense();
+  void flush_flight_log();
+
+  // agent_ground.cpp: orders, stations, take-off.
+  struct Demand {
+    bool swap;
+    double fill;
+  };
+  void adopt(const Command& command, Instant now);
+  void replace_order(const Command& command, Instant now);
+  void live_until(Instant now);
+  void prepare(Instant t);
+  Demand demand() const;
+  void leave_bay();
+  void try_take_off(Instant t);
+  bool is_licensed() const;
+  void take_off(SortieRoute route, Instant t);
+  void land(Instant t);
+  void fall(Instant t);
+  void finish(Instant t);
+  void report_sortie();
+  const Station& station(StationId id) const;
+
+  AgentSettings settings_;
+  Vehicle vehicle_;
+  Aircraft aircraft_;
+  FlightLog log_;
+  Phase phase_ = Phase::idle;
+  std::vector<Body> out_;
+
+  // Orders and grants.
+  std::optional<Order> order_;
+  WorkLedger ledger_;
+  Epoch scheduler_epoch_{};
+  bool is_running_ = false;  // its command has been taken to the air
+  AckStatus last_ack_ = AckStatus::received;
+  std::string last_ack_reason_;
+
+  // The flight under way.
+  Instant last_tick_{};
+  Station home_{};
+  std::optional<SortieRoute> route_;
+  std::size_t route_piece_ = 0;
+  std::uint32_t route_cell_ = 0;  // in the piece
+  double next_cell_m_ = 0.0, progress_m_ = 0.0, stop_m_ = 0.0, spray_left_m_ = 0.0;
+  double flown_m_ = 0.0;  // on earlier routes of this sortie
+  bool is_valve_open_ = false;
+  std::optional<CloseReason> leaving_;
+  SortieReport sortie_{};
+  bool has_unreported_sortie_ = false;
+  std::uint32_t sorties_flown_ = 0, pack_ = 1;
+
+  // At stations.
+  bool is_prepared_ = true;  // stores suffice for what comes next
+  Instant ready_{};          // since when nothing but what came last kept it on the ground
+  std::optional<BayVisit> visit_;
+  std::uint64_t claims_ = 0;
+
+  // Timers.
+  bool is_known_ = false;  // has introduced itself
+  bool is_scheduler_lost_ = false, is_mission_over_ = false, is_retired_ = false;
+  Instant next_state_{}, next_info_{}, next_report_ = never, scheduler_heard_{};
+};
+
+}  // namespace furrow::agents

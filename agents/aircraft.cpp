@@ -1,0 +1,61 @@
+#include "agents/aircraft.hpp"
+
+#include "agents/control_clock.hpp"
+#include "core/random.hpp"
+
+namespace furrow::agents {
+namespace {
+
+constexpr std::uint64_t gusts = 0x67757374;     // "gust"
+constexpr std::uint64_t receiver = 0x676e7373;  // "gnss"
+constexpr double wind_filter = 0.2;             // per period: half a second
+
+std::uint64_t own_seed(const AgentSettings& s, std::uint64_t purpose) {
+  return seed_for(s.seed, {purpose, number(s.vehicle.id)});
+}
+
+}  // namespace
+
+Aircraft::Aircraft(const AgentSettings& s)
+    : vehicle_{s.vehicle},
+      airframe_{s.vehicle},
+      breeze_{s.wind, own_seed(s, gusts)},
+      receiver_{s.vehicle.gnss, own_seed(s, receiver)},
+      filter_{s.vehicle.gnss.sigma.base()},
+      pilot_{planned_acceleration_mps2(s.vehicle), s.vehicle.acceleration_limit.base()} {
+  fix_ = receiver_.settled_fix_m(airframe_.position_m());
+  filter_.restart(fix_);
+}
+
+void Aircraft::take_off() {
+  wind_estimate_ = breeze_.at_take_off();
+  filter_.restart(receiver_.settled_fix_m(airframe_.position_m()));
+}
+
+void Aircraft::land() { airframe_.stand(); }
+
+void Aircraft::fly(double stop_m) {
+  const Xy measured = receiver_.velocity_mps(airframe_.velocity_mps());
+  const Xy wanted = pilot_.steer(stop_m, filter_.estimate_m(), measured);
+  // Thrust holds against the wind as estimated so far, so a steady wind leaves no offset.
+  const Xy drag = drag_per_s * (wind_estimate_ - airframe_.velocity_mps());
+  airframe_.advance(wanted - drag, breeze_.next());
+  const Xy felt = (1.0 / drag_per_s) * (airframe_.drag_mps2() - drag);  // wind beyond the estimate
+  wind_estimate_ = wind_estimate_ + wind_filter * felt;
+
+  filter_.predict(measured);
+  fix_ = receiver_.fix_m(airframe_.position_m());
+  filter_.correct(fix_);
+  stores.fly(vehicle_, control_period_s);
+}
+
+bool Aircraft::is_at_rest(double stop_m) const {
+  constexpr double reached_m = 0.01, settled_m = 0.5, settled_mps = 0.5;
+  const Pace& pace = pilot_.pace();
+  return pace.is_at_rest() &&
+         pace.along_m() >= std::min(stop_m, pilot_.path().length_m()) - reached_m &&
+         std::abs(along_m() - pace.along_m()) < settled_m &&
+         norm(airframe_.velocity_mps()) < settled_mps;
+}
+
+}  // namespace furrow::agents

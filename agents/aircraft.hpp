@@ -1,0 +1,56 @@
+#pragma once
+
+#include "agents/gnss/receiver.hpp"
+#include "agents/guidance/pilot.hpp"
+#include "agents/guidance/position_filter.hpp"
+#include "agents/settings.hpp"
+#include "agents/vehicle/airframe.hpp"
+#include "agents/vehicle/breeze.hpp"
+#include "agents/vehicle/stores.hpp"
+
+namespace furrow::agents {
+
+/// Acceleration that paths are planned with; the rest of the limit is left to corrections.
+inline double planned_acceleration_mps2(const Vehicle& vehicle) {
+  return 0.95 * vehicle.acceleration_limit.base();
+}
+
+/// A simulated aircraft with its sensors and its autopilot, without any purpose of its own.
+class Aircraft {
+ public:
+  explicit Aircraft(const AgentSettings& settings);
+
+  /// Leaves the ground where it stands; hovers until it has a path.
+  void take_off();
+  void land();
+
+  void follow(Path path) { pilot_.follow(std::move(path)); }
+
+  /// One control period in the air, to stop at `stop_m` along the path at the latest.
+  void fly(double stop_m);
+
+  /// How far along its path it takes itself to be [m].
+  double along_m() const { return pilot_.deviation_now().along_m; }
+  /// Whether it hovers at `stop_m` or at the end of its path.
+  bool is_at_rest(double stop_m) const;
+
+  const Pilot& pilot() const { return pilot_; }
+  Xy truth_m() const { return airframe_.position_m(); }
+  Xy velocity_mps() const { return airframe_.velocity_mps(); }
+  Xy estimate_m() const { return filter_.estimate_m(); }
+  Xy fix_m() const { return fix_; }
+
+  Stores stores;
+
+ private:
+  Vehicle vehicle_;
+  Airframe airframe_;
+  Breeze breeze_;
+  Receiver receiver_;
+  PositionFilter filter_;
+  Pilot pilot_;
+  Xy fix_;
+  Xy wind_estimate_;
+};
+
+}  // namespace furrow::agents

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "core/messages.hpp"
+
+#include <optional>
+
+namespace furrow::agents {
+
+/// One visit to a station: a claim for a bay, the service in it, and the release.
+class BayVisit {
+ public:
+  /// @param claim  1, 2, 3, ... per agent.
+  BayVisit(AgentId agent, BootId boot, StationId station, std::uint64_t claim, Instant arrived,
+           bool swap, double fill);
+
+  /// Takes a bay for this claim; of several the one with the highest token.
+  /// @return  Whether it changed anything, or is to be answered because the visit is over.
+  bool accept(const ServiceGrant& grant);
+
+  /// Whether service has ended at `now` and is not yet released.
+  bool is_served(Instant now) const;
+  /// Leaves the bay.
+  void release() { claim_.status = ClaimStatus::released; }
+
+  /// The claim as it now stands, to be sent as heartbeat.
+  const ServiceClaim& claim() const { return claim_; }
+  /// Meaningless while waiting.
+  const ServiceGrant& grant() const { return grant_; }
+  bool is_waiting() const { return claim_.status == ClaimStatus::waiting; }
+  bool is_released() const { return claim_.status == ClaimStatus::released; }
+
+  /// Whether a released claim is still to be repeated, for the case that it was lost.
+  bool repeat_release() { return releases_left_ > 0 && releases_left_-- > 0; }
+
+ private:
+  ServiceClaim claim_;
+  ServiceGrant grant_{};
+  int releases_left_ = 2;
+};
+
+}  // namespace furrow::agents

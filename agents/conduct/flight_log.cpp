@@ -1,0 +1,49 @@
+#include "agents/conduct/flight_log.hpp"
+
+#include "agents/guidance/deviation.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace furrow::agents {
+namespace {
+
+double offset_m(const Piece& strip, Xy place_m) {
+  // A piece of one cell runs in the direction in which it is entered.
+  const FieldPoint behind = strip.from == strip.to ? strip.entry : strip.from;
+  return cross_track_m(xy_m(behind), xy_m(strip.to), place_m);
+}
+
+void add(FlightRecord::Deviation& sum, double cross_m) {
+  ++sum.samples;
+  sum.sum_squares += cross_m * cross_m;
+  sum.largest = std::max(sum.largest, std::abs(cross_m));
+}
+
+}  // namespace
+
+void FlightLog::point(Instant at, const Aircraft& aircraft, bool is_spraying) {
+  record_.track.push_back({.at = at,
+                           .position = field_point(aircraft.truth_m()),
+                           .height = {},
+                           .spraying = is_spraying});
+}
+
+void FlightLog::sample(const Piece& strip, const Aircraft& aircraft) {
+  add(record_.truth, offset_m(strip, aircraft.truth_m()));
+  add(record_.fix, offset_m(strip, aircraft.fix_m()));
+}
+
+void FlightLog::cell(std::uint32_t cell, const Piece& strip, const Aircraft& aircraft) {
+  if (record_.cells.count == 0) record_.cells.first = cell;
+  ++record_.cells.count;
+  record_.offsets_m.push_back(static_cast<float>(offset_m(strip, aircraft.truth_m())));
+}
+
+FlightRecord FlightLog::take() {
+  FlightRecord fresh{};
+  fresh.agent = record_.agent;
+  return std::exchange(record_, std::move(fresh));
+}
+
+}  // namespace furrow::agents

@@ -1,0 +1,97 @@
+#include "agents/conduct/order.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace furrow::agents {
+namespace {
+
+FieldPoint cell_center(const Piece& p, std::uint32_t index) {
+  const double share = p.cells.count < 2 ? 0.0 : static_cast<double>(index) / (p.cells.count - 1);
+  return p.from + FieldVector{share * (p.to - p.from).x, share * (p.to - p.from).y};
+}
+
+bool is_finite(FieldPoint p) { return std::isfinite(p.x.base()) && std::isfinite(p.y.base()); }
+
+std::optional<std::string> fault_in(const Piece& p, std::uint32_t not_before) {
+  const std::string name = "piece at cell " + std::to_string(p.cells.first);
+  if (p.cells.count == 0) return name + " has no cells";
+  if (p.cells.first < not_before) return name + " is out of order";
+  if (end(p.cells) < p.cells.first) return name + " counts past the last cell there can be";
+  if (!is_finite(p.entry) || !is_finite(p.from) || !is_finite(p.to)) return name + " is nowhere";
+  if ((p.cells.count == 1) != (p.from == p.to)) {
+    return name + " has " + std::to_string(p.cells.count) + " cells on " +
+           std::to_string(distance(p.from, p.to).base()) + " m";
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+bool Order::is_older_than(const Command& c) const {
+  return std::tuple{epoch(), revision()} < std::tuple{c.epoch, c.revision};
+}
+
+bool Order::is_same_as(const Command& c) const {
+  return epoch() == c.epoch && revision() == c.revision;
+}
+
+std::uint32_t Order::next_cell() const {
+  return command_.sorties[sortie_].pieces[piece_].cells.first + in_piece_;
+}
+
+std::uint32_t Order::piece_end() const {
+  return end(command_.sorties[sortie_].pieces[piece_].cells);
+}
+
+std::vector<Piece> Order::rest_of_sortie() const {
+  const auto& pieces = command_.sorties[sortie_].pieces;
+  std::vector<Piece> rest(pieces.begin() + static_cast<std::ptrdiff_t>(piece_), pieces.end());
+  if (in_piece_ > 0) {
+    Piece& cut = rest.front();
+    cut.entry = cell_center(cut, in_piece_ - 1);
+    cut.from = cell_center(cut, in_piece_);
+    cut.cells = {cut.cells.first + in_piece_, cut.cells.count - in_piece_};
+  }
+  return rest;
+}
+
+bool Order::spray() {
+  const auto& pieces = command_.sorties[sortie_].pieces;
+  if (++in_piece_ < pieces[piece_].cells.count) return false;
+  in_piece_ = 0;
+  if (++piece_ < pieces.size()) return false;
+  piece_ = 0;
+  ++sortie_;
+  return true;
+}
+
+bool Order::is_open(CellRange cells) const {
+  if (is_finished() || cells.count == 0 || cells.first < next_cell()) return false;
+  for (std::size_t s = sortie_; s < command_.sorties.size(); ++s) {
+    for (const Piece& piece : command_.sorties[s].pieces) {
+      if (cells.first >= piece.cells.first && cells.first < end(piece.cells)) {
+        return cells.count <= end(piece.cells) - cells.first;
+      }
+    }
+  }
+  return false;
+}
+
+std::optional<std::string> fault_in(const Command& command, std::span<const Station> stations) {
+  std::uint32_t not_before = 0;
+  for (const SortieOrder& sortie : command.sorties) {
+    const bool is_known = std::any_of(stations.begin(), stations.end(),
+                                      [&](const Station& s) { return s.id == sortie.station; });
+    if (!is_known) return "station " + std::to_string(number(sortie.station)) + " is unknown";
+    if (sortie.pieces.empty()) return "a sortie without pieces";
+    for (const Piece& piece : sortie.pieces) {
+      if (auto fault = fault_in(piece, not_before)) return fault;
+      not_before = end(piece.cells);
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace furrow::agents

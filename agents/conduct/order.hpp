@@ -1,0 +1,56 @@
+#pragma once
+
+#include "core/messages.hpp"
+#include "core/station.hpp"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace furrow::agents {
+
+/// The command being followed and how far its work has come.
+class Order {
+ public:
+  Order() = default;
+  explicit Order(Command command) : command_{std::move(command)} {}
+
+  Epoch epoch() const { return command_.epoch; }
+  std::uint32_t revision() const { return command_.revision; }
+  bool is_older_than(const Command& other) const;
+  bool is_same_as(const Command& other) const;
+
+  /// Every cell of every sortie is sprayed.
+  bool is_finished() const { return sortie_ >= command_.sorties.size(); }
+  /// Index into the command's sorties.
+  std::uint32_t sortie() const { return static_cast<std::uint32_t>(sortie_); }
+  /// @pre !is_finished()
+  StationId station() const { return command_.sorties[sortie_].station; }
+  /// The cell to spray next. @pre !is_finished()
+  std::uint32_t next_cell() const;
+  /// One past the last cell of the sortie. @pre !is_finished()
+  std::uint32_t sortie_end() const { return end(command_.sorties[sortie_].pieces.back().cells); }
+  /// The one past the last cell of the piece being sprayed. @pre !is_finished()
+  std::uint32_t piece_end() const;
+
+  /// What is left of the sortie: where a piece was left half-way, the rest of it continues from the
+  /// last cell sprayed. @pre !is_finished()
+  std::vector<Piece> rest_of_sortie() const;
+
+  /// Books the next cell. @return Whether it ended the sortie.
+  bool spray();
+
+  /// Whether `cells` lie within one piece and none of them is sprayed yet.
+  bool is_open(CellRange cells) const;
+
+ private:
+  Command command_{};
+  std::size_t sortie_ = 0, piece_ = 0;
+  std::uint32_t in_piece_ = 0;
+};
+
+/// Why a command cannot be followed, or nothing when it can.
+std::optional<std::string> fault_in(const Command& command, std::span<const Station> stations);
+
+}  // namespace furrow::agents

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "agents/guidance/path.hpp"
+#include "core/vehicle.hpp"
+#include "core/work.hpp"
+
+#include <span>
+#include <vector>
+
+namespace furrow::agents {
+
+/// A piece laid on a path. Lengths without "leg" are along the smoothed path [m].
+struct PieceOnPath {
+  Piece piece;
+  double open_m, close_m;        ///< The valve may be open between.
+  double from_leg_m, spacing_m;  ///< First cell, and from cell to cell, along the legs.
+  double from_m;                 ///< First cell.
+};
+
+/// A sortie from where the aircraft is, over its pieces, to the station.
+struct SortieRoute {
+  Path path;
+  std::vector<PieceOnPath> pieces;
+  double spray_m;  ///< Valve open.
+
+  /// Where along the path cell `index` of piece `piece` has its centre [m].
+  double cell_m(std::size_t piece, std::uint32_t index) const;
+};
+
+/// The route over `pieces`, which may be empty: then straight to `to`. Ferries are flown at ferry
+/// speed with the valve closed, corners cut by at most half a swath.
+SortieRoute sortie_route(Xy from_m, std::span<const Piece> pieces, Xy to_m, const Vehicle& vehicle);
+
+/// Time for a straight way from rest to rest at ferry speed [s].
+double straight_way_s(double length_m, const Vehicle& vehicle);
+
+}  // namespace furrow::agents

@@ -1,0 +1,137 @@
+#include "agents/guidance/path.hpp"
+
+#include "core/require.hpp"
+
+#include <algorithm>
+
+namespace furrow::agents {
+namespace {
+
+constexpr double shortest_leg_m = 1e-6;
+constexpr double straight_rad = 1e-6;
+constexpr double arc_share = 0.9;  // of the acceleration: the rest brings it back onto the arc
+constexpr double tightest_arc_m = 0.01;  // below it an aircraft might as well stop and turn
+
+// Time over a length when speed may rise and fall at `a` but not pass `limit`.
+double flown_s(double length_m, double entry_mps, double exit_mps, double limit_mps, double a) {
+  const double top = std::sqrt(a * length_m + 0.5 * (entry_mps * entry_mps + exit_mps * exit_mps));
+  const double peak = std::max({std::min(top, limit_mps), entry_mps, exit_mps});
+  const double ramps_m =
+      (2.0 * peak * peak - entry_mps * entry_mps - exit_mps * exit_mps) / (2.0 * a);
+  const double ramps_s = (2.0 * peak - entry_mps - exit_mps) / a;
+  return ramps_s + std::max(0.0, length_m - ramps_m) / std::max(peak, 1e-9);
+}
+
+}  // namespace
+
+Path::Path(Xy start_m, PathLimits limits) : limits_{limits} {
+  vertices_.push_back({.at = start_m, .leg_m = 0.0, .limit_mps = 0.0});
+}
+
+double Path::add(Xy to_m, double limit_mps) {
+  const double leg = norm(to_m - vertices_.back().at);
+  if (leg < shortest_leg_m) return vertices_.back().leg_m;
+  vertices_.push_back({.at = to_m, .leg_m = vertices_.back().leg_m + leg, .limit_mps = limit_mps});
+  return vertices_.back().leg_m;
+}
+
+void Path::finish() {
+  require(segments_.empty(), "a path is finished once");
+  cut_corners();
+  plan_speeds();
+}
+
+// The angle by which the path turns at an inner vertex, right positive.
+double Path::turn(std::size_t corner) const {
+  const Xy in = vertices_[corner].at - vertices_[corner - 1].at;
+  const Xy out = vertices_[corner + 1].at - vertices_[corner].at;
+  return std::atan2(dot(right_of(in), out), dot(in, out));
+}
+
+void Path::append(const Segment& segment) {
+  segments_.push_back(segment);
+  length_ += segment.length_m;
+}
+
+void Path::cut_corners() {
+  if (vertices_.size() == 1) {  // nowhere to go: one segment of no length
+    append({0.0, 0.0, vertices_[0].at, {0.0, 1.0}, 0.0, 0.0, 0.0});
+    return;
+  }
+  for (std::size_t i = 1; i < vertices_.size(); ++i) {
+    Vertex& vertex = vertices_[i];
+    const Vertex& before = vertices_[i - 1];
+    const double leg = vertex.leg_m - before.leg_m;
+    const Xy ahead = (1.0 / leg) * (vertex.at - before.at);
+    const bool is_last = i + 1 == vertices_.size();
+    const double angle = is_last ? 0.0 : turn(i);
+
+    double radius = 0.0;
+    if (std::abs(angle) > straight_rad) {
+      const double next_leg = vertices_[i + 1].leg_m - vertex.leg_m;
+      vertex.cut_m = std::min({limits_.corner_cut_m, 0.5 * leg, 0.5 * next_leg});
+      radius = vertex.cut_m / std::tan(0.5 * std::abs(angle));
+      if (radius < std::max(tightest_arc_m, limits_.min_radius_m)) radius = vertex.cut_m = 0.0;
+    }
+    const double straight = std::max(0.0, leg - before.cut_m - vertex.cut_m);
+    append({length_, straight, before.at + before.cut_m * ahead, ahead, 0.0, vertex.limit_mps,
+            vertex.limit_mps});
+    vertex.arc_start_m = length_;
+    if (radius > 0.0) {
+      const double limit = std::min({vertex.limit_mps, vertices_[i + 1].limit_mps,
+                                     std::sqrt(arc_share * limits_.acceleration_mps2 * radius)});
+      vertex.arc_length_m = radius * std::abs(angle);
+      append({length_, vertex.arc_length_m, vertex.at - vertex.cut_m * ahead, ahead,
+              std::copysign(1.0 / radius, angle), limit, limit});
+    } else if (std::abs(angle) > straight_rad) {
+      segments_.push_back({length_, 0.0, vertex.at, ahead, 0.0, 0.0, 0.0});  // stop and turn
+    }
+  }
+}
+
+void Path::plan_speeds() {
+  const double a2 = 2.0 * limits_.acceleration_mps2;
+  double exit = 0.0;
+  for (std::size_t i = segments_.size(); i-- > 0;) {
+    Segment& s = segments_[i];
+    s.entry_mps = std::min(s.limit_mps, std::sqrt(exit * exit + a2 * s.length_m));
+    if (i > 0) s.entry_mps = std::min(s.entry_mps, segments_[i - 1].limit_mps);
+    exit = s.entry_mps;
+  }
+}
+
+double Path::along_m(double leg_m) const {
+  const auto next = std::find_if(vertices_.begin(), vertices_.end(),
+                                 [&](const Vertex& v) { return leg_m <= v.leg_m + v.cut_m; });
+  if (next == vertices_.end()) return length_;
+  if (next == vertices_.begin()) return 0.0;
+  const double into_arc = leg_m - (next->leg_m - next->cut_m);
+  if (into_arc <= 0.0 || next->cut_m == 0.0) return next->arc_start_m + into_arc;
+  return next->arc_start_m + next->arc_length_m * into_arc / (2.0 * next->cut_m);
+}
+
+double Path::duration_s() const {
+  double total = 0.0, entry = 0.0;
+  const double a = limits_.acceleration_mps2;
+  for (std::size_t i = 0; i < segments_.size(); ++i) {
+    const Segment& s = segments_[i];
+    const double planned = i + 1 < segments_.size() ? segments_[i + 1].entry_mps : 0.0;
+    const double exit = std::min(planned, std::sqrt(entry * entry + 2.0 * a * s.length_m));
+    if (s.length_m > 0.0) total += flown_s(s.length_m, entry, exit, s.limit_mps, a);
+    entry = exit;
+  }
+  return total;
+}
+
+Pose pose(const Segment& s, double along_m) {
+  const double q = along_m - s.start_m;
+  if (s.is_straight()) return {s.from + q * s.ahead, s.ahead};
+  const Xy right = right_of(s.ahead);
+  const double angle = s.curvature_per_m * q;
+  const double sine = std::sin(angle), cosine = std::cos(angle);
+  return {
+      s.from + (sine / s.curvature_per_m) * s.ahead + ((1.0 - cosine) / s.curvature_per_m) * right,
+      cosine * s.ahead + sine * right};
+}
+
+}  // namespace furrow::agents

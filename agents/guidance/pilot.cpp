@@ -1,0 +1,49 @@
+#include "agents/guidance/pilot.hpp"
+
+#include <algorithm>
+
+namespace furrow::agents {
+namespace {
+
+constexpr double stiffness_per_s2 = 4.0;  // 2 rad/s, critically damped: well below 10 Hz control
+constexpr double damping_per_s = 4.0;
+constexpr double tolerated_lag_m = 0.5;  // the pace waits for an aircraft further behind
+
+Path resting_at(Xy place) {
+  Path path{place, {.acceleration_mps2 = 1.0, .corner_cut_m = 0.0, .min_radius_m = 0.0}};
+  path.finish();
+  return path;
+}
+
+}  // namespace
+
+Pilot::Pilot(double planned_mps2, double limit_mps2)
+    : planned_{planned_mps2}, limit_{limit_mps2}, path_{resting_at({})}, pace_{path_, planned_} {}
+
+void Pilot::follow(Path path) {
+  path_ = std::move(path);
+  pace_ = Pace{path_, planned_};
+  deviation_ = {};
+  ahead_ = path_.segments().front().ahead;
+}
+
+Xy Pilot::steer(double stop_m, Xy estimate_m, Xy velocity_mps) {
+  const double lag = pace_.along_m() - deviation_.along_m;
+  pace_.advance(path_, stop_m, std::clamp(1.0 - (lag - tolerated_lag_m), 0.0, 1.0));
+
+  const Segment& s = segment();
+  const Pose target = pose(s, pace_.along_m());
+  const Xy right = right_of(target.ahead);
+  deviation_ = deviation(s, estimate_m);
+  ahead_ = target.ahead;
+
+  const double speed = pace_.speed_mps();
+  const double along = pace_.acceleration_mps2() +
+                       stiffness_per_s2 * (pace_.along_m() - deviation_.along_m) +
+                       damping_per_s * (speed - dot(velocity_mps, target.ahead));
+  const double across = speed * speed * s.curvature_per_m - stiffness_per_s2 * deviation_.cross_m -
+                        damping_per_s * dot(velocity_mps, right);
+  return limited(along * target.ahead + across * right, limit_);
+}
+
+}  // namespace furrow::agents

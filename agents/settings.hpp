@@ -1,0 +1,26 @@
+#pragma once
+
+#include "core/ids.hpp"
+#include "core/station.hpp"
+#include "core/time.hpp"
+#include "core/vehicle.hpp"
+#include "core/weather.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace furrow::agents {
+
+/// Everything an agent knows before its first message.
+struct AgentSettings {
+  Vehicle vehicle;
+  std::vector<Station> stations;  ///< Those it may be sent to.
+  Wind wind;                      ///< The same mean for all; its gusts are this aircraft's own.
+  std::uint64_t seed;             ///< Of the scenario.
+  BootId boot;
+  Duration info_period{2'000'000'000};      ///< Until a command arrives.
+  Duration report_period{2'000'000'000};    ///< Until a closure is booked.
+  Duration scheduler_lease{5'000'000'000};  ///< A scheduler silent for longer is taken for lost.
+};
+
+}  // namespace furrow::agents

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "agents/xy.hpp"
+#include "core/vehicle.hpp"
+
+namespace furrow::agents {
+
+/// A multirotor as a point that thrust accelerates and moving air drags along. It flies in any
+/// direction, whichever way it looks. Height is not modelled: take-off and landing take no time.
+class Airframe {
+ public:
+  explicit Airframe(const Vehicle& vehicle);
+
+  /// Moves through one control period under `thrust` [m/s2, horizontal], which is cut to what the
+  /// rotors give, in air that moves at `wind` [m/s].
+  void advance(Xy thrust_mps2, Xy wind_mps);
+
+  /// Lands where it is.
+  void stand() { velocity_ = {}; }
+
+  Xy position_m() const { return position_; }
+  Xy velocity_mps() const { return velocity_; }
+
+  /// What moving air did to it in the last period [m/s2]: an inertial sensor tells it from thrust.
+  Xy drag_mps2() const { return drag_; }
+
+  /// Horizontal thrust that the rotors can give [m/s2].
+  double thrust_limit_mps2() const { return thrust_limit_; }
+
+ private:
+  Xy position_, velocity_, drag_;
+  double thrust_limit_;
+};
+
+/// Acceleration per speed through the air [1/s]: linear drag of a loaded multirotor.
+inline constexpr double drag_per_s = 0.25;
+
+/// The strongest steady wind [m/s] in which the aircraft still makes its ferry speed in every
+/// direction with half of its acceleration limit in hand.
+double workable_wind_mps(const Vehicle& vehicle);
+
+}  // namespace furrow::agents

@@ -1,0 +1,72 @@
+#include "app/conduct.hpp"
+#include "app/fleet_processes.hpp"
+#include "app/interrupt.hpp"
+#include "mission/fleet.hpp"
+#include "transport/director.hpp"
+#include "transport/domain_lock.hpp"
+
+#include <chrono>
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace furrow::app {
+namespace {
+
+// Time for every process to start before a mission on the wall clock begins.
+constexpr std::chrono::seconds wall_start{5};
+
+std::int64_t realtime_ns(std::chrono::system_clock::time_point t) {
+  return std::chrono::nanoseconds{t.time_since_epoch()}.count();
+}
+
+Flight flight(transport::DirectorResult result, const FleetProcesses& processes) {
+  const bool finished = result.ending == transport::Ending::finished;
+  Flight flight{.log = {std::move(result.log), result.end, finished},
+                .interrupted = result.ending == transport::Ending::interrupted ||
+                               result.ending == transport::Ending::abandoned,
+                .mishaps = processes.mishaps()};
+  if (result.malformed_messages > 0) {
+    flight.mishaps.push_back(
+        fmt::format("{} malformed messages were dropped", result.malformed_messages));
+  }
+  return flight;
+}
+
+}  // namespace
+
+int run(const Options& options) {
+  catch_interrupts();
+  const auto fly = [&](const mission::Scenario& scenario, const scheduler::FleetPlan&,
+                       Progress& progress) -> Expected<Flight, std::string> {
+    const auto domain = transport::DomainLock::any_free(options.interface);
+    if (!domain) return Unexpected{domain.error().what};
+    const transport::Network network{
+        .domain = domain->domain(),
+        .run = fmt::format("{}-{}", scenario.name, getpid()),
+        .stations = static_cast<std::uint32_t>(scenario.stations.size()),
+        .interface = options.interface};
+
+    transport::DirectorSettings settings{.network = network,
+                                         .members = {},
+                                         .latency = scenario.link.latency,
+                                         .mission_limit = Instant{scenario.mission_limit}};
+    if (options.pace.kind == Pace::Kind::times_real) settings.pace = options.pace.factor;
+    if (options.pace.kind == Pace::Kind::wall) {
+      settings.epoch_realtime_ns = realtime_ns(std::chrono::system_clock::now() + wall_start);
+    }
+
+    auto processes = FleetProcesses::start(options, scenario, settings);
+    if (!processes) return Unexpected{processes.error()};
+    settings.members = processes->members();
+    settings.observer = [&](const Envelope& envelope) { progress.observe(envelope); };
+    settings.interrupted = [&] { return is_interrupted() || processes->is_crippled(); };
+    settings.dead_members = [&] { return processes->dead(); };
+
+    auto result = transport::run_director(settings);
+    if (!result) return Unexpected{processes->explanation(result.error().what)};
+    return flight(std::move(*result), *processes);
+  };
+  return conduct(options, Mode::run, fly);
+}
+
+}  // namespace furrow::app

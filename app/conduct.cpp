@@ -1,0 +1,132 @@
+#include "app/conduct.hpp"
+
+#include "app/results/result_json.hpp"
+#include "app/results/summary.hpp"
+#include "app/results/write_results.hpp"
+#include "mission/fleet.hpp"
+#include "mission/load.hpp"
+#include "sim/checkers/laws.hpp"
+
+#include <chrono>
+#include <cstdio>
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace furrow::app {
+namespace {
+
+double wall_s() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+void tell(const std::string& sentence) { fmt::print(stderr, "furrow: {}\n", sentence); }
+
+std::vector<sim::Violation> judged(const MissionRecord& record, const Flight& flight) {
+  const sim::Facts facts{.field = record.scenario.field,
+                         .stations = record.scenario.stations,
+                         .plan = record.plan,
+                         .claim_lease = std::chrono::seconds{3},
+                         .whole = flight.log.finished};
+  return sim::violations(facts, record.log, flight.log.ended);
+}
+
+// What keeps a mission from exit code 0, in sentences.
+std::vector<std::string> shortcomings(const Result& result) {
+  std::vector<std::string> all;
+  if (result.partial) all.push_back("the mission was broken off; the results are partial");
+  if (!result.completed) {
+    all.push_back(fmt::format("the mission is not completed: {:.0f} m2 are not sprayed",
+                              result.coverage.missed_m2 - result.coverage.unrouted_m2));
+  }
+  for (const auto& expectation : result.expectations) {
+    if (!expectation.met) all.push_back("expectation missed: " + expectation.message);
+  }
+  for (const Violation& v : result.violations) {
+    all.push_back(
+        fmt::format("law {} broken at {:.1f} s: {}", v.law, seconds(v.at).base(), v.detail));
+    if (all.size() > 20) break;
+  }
+  return all;
+}
+
+int report(const Options& options, const MissionRecord& record) {
+  const Result result = summary(record);
+  const std::string folder = options.out.empty() ? "out/" + record.scenario.name : options.out;
+  if (const auto written = write_results(folder, record, result); !written) {
+    tell(text(written.error()));
+    return Exit::bad_input;
+  }
+  if (options.json) fmt::print("{}", result_json(result));
+  if (!options.quiet) {
+    fmt::print(stderr, "{}", summary_table(result));
+    fmt::print(stderr, "Results: {}/report.html\n", folder);
+  }
+  const auto lacking = shortcomings(result);
+  for (const std::string& sentence : lacking) tell(sentence);
+  return lacking.empty() ? Exit::done : Exit::not_met;
+}
+
+}  // namespace
+
+Progress::Progress(const scheduler::FleetPlan& plan, bool shown)
+    : bar_{static_cast<std::uint32_t>(plan.route.centers.size()), shown}, started_s_{wall_s()} {}
+
+Progress::~Progress() { fmt::print(stderr, "{}", bar_.clear()); }
+
+void Progress::observe(const Envelope& envelope) {
+  const auto* state = std::get_if<SchedulerState>(&envelope.body);
+  if (state == nullptr) return;
+  fmt::print(stderr, "{}",
+             bar_.draw(state->sprayed_cells, seconds(envelope.sent).base(), wall_s() - started_s_));
+}
+
+Expected<mission::Scenario, Exit> load(const Options& options) {
+  auto scenario = mission::load(options.scenario);
+  if (!scenario) {
+    for (const auto& error : scenario.error()) fmt::print(stderr, "{}\n", mission::text(error));
+    return Unexpected{Exit::bad_input};
+  }
+  if (options.seed) scenario->seed = scenario->solver.seed = *options.seed;
+  return std::move(*scenario);
+}
+
+int conduct(const Options& options, Mode mode, const Fly& fly) {
+  auto scenario = load(options);
+  if (!scenario) return scenario.error();
+
+  const double started_s = wall_s();
+  auto plan = scheduler::plan_fleet(mission::fleet_problem(*scenario));
+  if (!plan) {
+    tell(fmt::format("{}: no plan: {}: {}", options.scenario, planner::name(plan.error().fault),
+                     plan.error().detail));
+    return Exit::bad_input;
+  }
+  const double planned_s = wall_s();
+  MissionRecord record{.scenario = std::move(*scenario),
+                       .plan = std::move(*plan),
+                       .mode = mode,
+                       .partial = false,
+                       .log = {},
+                       .violations = {},
+                       .timing = {.plan_wall_s = planned_s - started_s,
+                                  .run_wall_s = 0.0,
+                                  .solver_wall_s = planned_s - started_s}};
+  if (fly) {
+    auto flight = [&] {
+      Progress progress{record.plan, !options.quiet && isatty(STDERR_FILENO) == 1};
+      return fly(record.scenario, record.plan, progress);
+    }();
+    if (!flight) {
+      tell(flight.error());
+      return Exit::bad_input;
+    }
+    for (const std::string& mishap : flight->mishaps) tell(mishap);
+    record.timing.run_wall_s = wall_s() - planned_s;
+    record.partial = flight->interrupted;
+    record.log = std::move(flight->log.envelopes);
+    record.violations = judged(record, *flight);
+  }
+  return report(options, record);
+}
+
+}  // namespace furrow::app

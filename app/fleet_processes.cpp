@@ -1,0 +1,138 @@
+#include "app/fleet_processes.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace furrow::app {
+namespace {
+
+struct Launch {
+  transport::MemberPlan plan;
+  std::string name;               // for people
+  std::string program;            // of this build
+  std::vector<std::string> role;  // command-line options of its own
+};
+
+// How many aircraft each process hosts: as asked, or as few as fit into 50 processes.
+std::uint32_t agents_per_process(const Options& options, std::size_t uavs) {
+  constexpr std::size_t processes = 50;
+  if (options.agents_per_process > 0) return options.agents_per_process;
+  return static_cast<std::uint32_t>((uavs + processes - 1) / processes);
+}
+
+std::vector<Launch> launches(const Options& options, const mission::Scenario& scenario,
+                             const transport::Network& network) {
+  std::vector<Launch> all;
+  const auto add = [&](std::uint32_t participant, std::vector<NodeId> nodes) -> Launch& {
+    Launch& launch = all.emplace_back();
+    launch.plan = {participant, std::move(nodes)};
+    return launch;
+  };
+
+  Launch& scheduler = add(transport::scheduler_participant, {scheduler_node()});
+  scheduler.name = "the scheduler";
+  scheduler.program = "furrow-scheduler";
+
+  std::uint32_t participant = transport::first_station_participant;
+  for (const Station& station : scenario.stations) {
+    const std::string number = std::to_string(furrow::number(station.id));
+    Launch& supply = add(participant++, {node(station.id)});
+    supply.name = "station " + number;
+    supply.program = "furrow-supply";
+    supply.role = {"--station", number};
+  }
+
+  participant = transport::first_agent_participant(network);
+  const std::size_t each = agents_per_process(options, scenario.uavs.size());
+  for (std::size_t first = 0; first < scenario.uavs.size(); first += each) {
+    const std::size_t end = std::min(first + each, scenario.uavs.size());
+    std::vector<NodeId> hosted;
+    for (std::size_t i = first; i < end; ++i) hosted.push_back(node(scenario.uavs[i].id));
+    const std::string range = fmt::format("{}-{}", first + 1, end);
+    Launch& agents = add(participant++, std::move(hosted));
+    agents.name = "the process of agents " + range;
+    agents.program = "furrow-agents";
+    agents.role = {"--agents", range};
+  }
+  return all;
+}
+
+std::vector<std::string> arguments(const Launch& launch, const Options& options,
+                                   const mission::Scenario& scenario,
+                                   const transport::DirectorSettings& director) {
+  std::vector<std::string> argv{options.program_folder + "/" + launch.program,
+                                "--scenario",
+                                options.scenario,
+                                "--seed",
+                                std::to_string(scenario.seed),
+                                "--domain",
+                                std::to_string(director.network.domain),
+                                "--run",
+                                director.network.run,
+                                "--participant",
+                                std::to_string(launch.plan.participant),
+                                "--interface",
+                                director.network.interface};
+  if (director.epoch_realtime_ns) {
+    const std::string epoch = std::to_string(*director.epoch_realtime_ns);
+    argv.insert(argv.end(), {"--mode", "wall", "--epoch-ns", epoch, "--boot", epoch});
+  }
+  argv.insert(argv.end(), launch.role.begin(), launch.role.end());
+  return argv;
+}
+
+}  // namespace
+
+Expected<FleetProcesses, std::string> FleetProcesses::start(
+    const Options& options, const mission::Scenario& scenario,
+    const transport::DirectorSettings& director) {
+  FleetProcesses fleet;
+  for (Launch& launch : launches(options, scenario, director.network)) {
+    if (launch.plan.participant > transport::max_participant) {
+      return Unexpected{fmt::format(
+          "a run has at most {} processes: host more aircraft in each with --agents-per-process",
+          transport::max_participant)};
+    }
+    auto process = transport::Process::spawn(arguments(launch, options, scenario, director));
+    if (!process) return Unexpected{process.error().what};
+    fleet.members_.push_back({std::move(launch.plan), std::move(launch.name), std::move(*process)});
+  }
+  return fleet;
+}
+
+std::vector<transport::MemberPlan> FleetProcesses::members() const {
+  std::vector<transport::MemberPlan> plans;
+  for (const Member& member : members_) plans.push_back(member.plan);
+  return plans;
+}
+
+std::vector<std::uint32_t> FleetProcesses::dead() {
+  std::vector<std::uint32_t> participants;
+  for (Member& member : members_) {
+    const auto code = member.process.exit_code();
+    if (!code) continue;
+    participants.push_back(member.plan.participant);
+    if (*code == 0) continue;  // ended as it should
+    if (!member.has_failed) {
+      mishaps_.push_back(fmt::format("{} ended with code {}", member.name, *code));
+    }
+    member.has_failed = true;
+  }
+  return participants;
+}
+
+bool FleetProcesses::is_crippled() {
+  dead();
+  return std::any_of(members_.begin(), members_.end(), [](const Member& member) {
+    return member.has_failed && member.plan.nodes.front().kind != NodeKind::agent;
+  });
+}
+
+std::string FleetProcesses::explanation(const std::string& reason) {
+  dead();
+  std::string text = reason;
+  for (const std::string& mishap : mishaps_) text += "; " + mishap;
+  return text;
+}
+
+}  // namespace furrow::app

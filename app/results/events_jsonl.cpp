@@ -1,0 +1,168 @@
+#include "app/results/events_jsonl.hpp"
+
+#include "app/results/rounding.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace furrow::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double at_s(Instant at) { return rounded(seconds(at).base()); }
+Json point(FieldPoint p) { return Json::array({rounded(p.x.base()), rounded(p.y.base())}); }
+
+const char* name(AckStatus status) {
+  switch (status) {
+    case AckStatus::received: return "received";
+    case AckStatus::accepted: return "accepted";
+    case AckStatus::rejected: return "rejected";
+    case AckStatus::running: return "running";
+    case AckStatus::done: return "done";
+    case AckStatus::failed: return "failed";
+    case AckStatus::cancelled: return "cancelled";
+  }
+  return "unknown";
+}
+
+const char* name(CloseReason reason) {
+  switch (reason) {
+    case CloseReason::sprayed: return "sprayed";
+    case CloseReason::tank_low: return "tank_low";
+    case CloseReason::battery_low: return "battery_low";
+    case CloseReason::superseded: return "superseded";
+  }
+  return "unknown";
+}
+
+const char* name(ClaimStatus status) {
+  switch (status) {
+    case ClaimStatus::waiting: return "waiting";
+    case ClaimStatus::in_bay: return "in_bay";
+    case ClaimStatus::released: return "released";
+  }
+  return "unknown";
+}
+
+// Adds what a message says to its line.
+struct Details {
+  Json& line;
+
+  void operator()(const AgentInfo& m) {
+    line["agent"] = number(m.agent);
+    line["home_m"] = point(m.vehicle.home);
+  }
+  void operator()(const Command& m) {
+    std::uint32_t cells = 0;
+    for (const SortieOrder& sortie : m.sorties) {
+      for (const Piece& piece : sortie.pieces) cells += piece.cells.count;
+    }
+    line["agent"] = number(m.agent);
+    line["epoch"] = number(m.epoch);
+    line["revision"] = m.revision;
+    line["sorties"] = m.sorties.size();
+    line["cells"] = cells;
+  }
+  void operator()(const CommandAck& m) {
+    line["agent"] = number(m.agent);
+    line["epoch"] = number(m.epoch);
+    line["revision"] = m.revision;
+    line["status"] = name(m.status);
+    if (!m.reason.empty()) line["reason"] = m.reason;
+  }
+  void operator()(const WorkGrant& m) {
+    line["agent"] = number(m.agent);
+    line["epoch"] = number(m.epoch);
+    line["revision"] = m.revision;
+    line["closed_through"] = m.closed_through;
+    line["windows"] = Json::array();
+    for (const GrantWindow& w : m.windows) {
+      line["windows"].push_back(
+          {{"grant", w.id}, {"first_cell", w.cells.first}, {"cells", w.cells.count}});
+    }
+  }
+  void operator()(const WorkReport& m) {
+    line["agent"] = number(m.agent);
+    line["epoch"] = number(m.epoch);
+    line["closures"] = Json::array();
+    for (const Closure& c : m.closures) {
+      line["closures"].push_back({{"grant", c.grant},
+                                  {"first_cell", c.cells.first},
+                                  {"cells", c.cells.count},
+                                  {"sprayed", c.sprayed},
+                                  {"reason", name(c.reason)},
+                                  {"at_s", at_s(c.at)}});
+    }
+  }
+  void operator()(const ServiceClaim& m) {
+    line["agent"] = number(m.agent);
+    line["station"] = number(m.station);
+    line["claim"] = m.claim;
+    line["status"] = name(m.status);
+    line["first_claimed_s"] = at_s(m.first_claimed);
+    line["swap"] = m.swap;
+    line["fill"] = rounded(m.fill);
+    if (m.token > 0) line["token"] = m.token;
+  }
+  void operator()(const ServiceGrant& m) {
+    line["agent"] = number(m.agent);
+    line["station"] = number(m.station);
+    line["claim"] = m.claim;
+    line["bay"] = m.bay;
+    line["token"] = m.token;
+    line["starts_s"] = at_s(m.starts);
+    line["ready_s"] = at_s(m.ready);
+  }
+  void operator()(const Event& m) {
+    line["kind"] = m.kind;
+    line["detail"] = m.detail;
+  }
+  void operator()(const SortieReport& m) {
+    line["agent"] = number(m.agent);
+    line["sortie"] = m.sortie + 1;
+    line["start_m"] = point(m.resumed_at);
+    line["return_m"] = point(m.returned_at);
+    line["spray_m"] = rounded(m.sprayed.base());
+    line["ferry_m"] = rounded(m.ferried.base());
+    line["flight_s"] = rounded(m.flight.base());
+    line["pack"] = m.pack;
+    line["battery_used"] = rounded(m.battery_used);
+    line["began_s"] = at_s(m.began);
+    line["spray_ended_s"] = at_s(m.spray_ended);
+    line["landed_s"] = at_s(m.landed);
+    if (!m.serviced) return;
+    line["station"] = number(m.station);
+    line["bay"] = m.bay;
+    line["wait_s"] = rounded(m.wait.base());
+    line["battery_swap_s"] = m.swapped ? rounded(m.swap_time.base()) : 0.0;
+    line["fill"] = rounded(m.filled);
+    line["fill_s"] = rounded(m.fill_time.base());
+  }
+  void operator()(const AgentState&) {}
+  void operator()(const StationState&) {}
+  void operator()(const SchedulerState&) {}
+  void operator()(const FlightRecord&) {}
+};
+
+bool is_written(const Body& body) {
+  return !std::holds_alternative<AgentState>(body) && !std::holds_alternative<StationState>(body) &&
+         !std::holds_alternative<SchedulerState>(body) &&
+         !std::holds_alternative<FlightRecord>(body);
+}
+
+}  // namespace
+
+std::string events_jsonl(const std::vector<Envelope>& log) {
+  std::string lines;
+  for (const Envelope& e : log) {
+    if (!is_written(e.body)) continue;
+    Json line{{"t_s", at_s(e.sent)}, {"from", text(e.from)}, {"seq", e.seq}};
+    line["topic"] = std::string{topic(e.body)};
+    std::visit(Details{line}, e.body);
+    lines += line.dump(-1, ' ', false, Json::error_handler_t::replace);
+    lines += '\n';
+  }
+  return lines;
+}
+
+}  // namespace furrow::app

@@ -1,0 +1,113 @@
+#include "app/results/plan_geojson.hpp"
+
+#include "app/results/rounding.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+namespace furrow::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json position(FieldPoint p) { return Json::array({rounded(p.x.base()), rounded(p.y.base())}); }
+
+double twice_signed_area_m2(const Ring& ring) {
+  double sum = 0;
+  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
+    sum += ring[j].x.base() * ring[i].y.base() - ring[i].x.base() * ring[j].y.base();
+  }
+  return sum;
+}
+
+// RFC 7946: closed, the outer ring counter-clockwise and holes clockwise.
+Json linear_ring(Ring ring, bool is_outer) {
+  if ((twice_signed_area_m2(ring) > 0) != is_outer) ring = Ring(ring.rbegin(), ring.rend());
+  Json positions = Json::array();
+  for (const FieldPoint p : ring) positions.push_back(position(p));
+  positions.push_back(position(ring.front()));
+  return positions;
+}
+
+Ring circle(FieldPoint center, double radius_m) {
+  constexpr int corners = 36;
+  Ring ring;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2 * std::numbers::pi * i / corners;
+    ring.push_back(at_m(center.x.base() + radius_m * std::cos(angle),
+                        center.y.base() + radius_m * std::sin(angle)));
+  }
+  return ring;
+}
+
+Json feature(const char* type, Json coordinates, Json properties) {
+  return {{"type", "Feature"},
+          {"properties", std::move(properties)},
+          {"geometry", {{"type", type}, {"coordinates", std::move(coordinates)}}}};
+}
+
+void add_land(Json& features, const mission::Scenario& scenario) {
+  Json rings = Json::array({linear_ring(scenario.field.boundary, true)});
+  for (const Ring& hole : scenario.field.holes) rings.push_back(linear_ring(hole, false));
+  features.push_back(feature("Polygon", std::move(rings), {{"kind", "field"}}));
+  for (const Obstacle& o : scenario.field.obstacles) {
+    features.push_back(
+        feature("Polygon", Json::array({linear_ring(circle(o.center, o.radius.base()), true)}),
+                {{"kind", "obstacle"}, {"id", o.id}, {"radius_m", rounded(o.radius.base())}}));
+  }
+  for (const Station& s : scenario.stations) {
+    features.push_back(
+        feature("Point", position(s.position),
+                {{"kind", "supply_station"}, {"id", number(s.id)}, {"bays", s.bays}}));
+  }
+}
+
+void add_work(Json& features, const planner::Route& route, const scheduler::UavPlan& uav) {
+  const std::uint32_t id = number(uav.vehicle.id);
+  for (std::uint32_t i = uav.strips.first; i < end(uav.strips); ++i) {
+    const planner::Strip& strip = route.strips[i];
+    features.push_back(feature("LineString",
+                               Json::array({position(strip.from), position(strip.to)}),
+                               {{"kind", "strip"},
+                                {"strip", i + 1},
+                                {"uav", id},
+                                {"swath_m", rounded(uav.vehicle.swath.base())}}));
+  }
+  const auto& plan = uav.solution.plan;
+  for (std::size_t k = 0; k < plan.returns.size(); ++k) {
+    const FieldPoint at = route.centers[uav.cells.first + plan.returns[k]];
+    Json properties{{"kind", "return_point"}, {"uav", id}, {"sortie", k + 1}};
+    if (k < plan.sorties.size()) properties["spray_m"] = rounded(plan.sorties[k].spray_m);
+    features.push_back(feature("Point", position(at), std::move(properties)));
+  }
+}
+
+}  // namespace
+
+std::string plan_geojson(const MissionRecord& record) {
+  Json features = Json::array();
+  add_land(features, record.scenario);
+  for (const scheduler::UavPlan& uav : record.plan.uavs) {
+    add_work(features, record.plan.route, uav);
+  }
+  const double half_m = record.plan.route.cell.base() / 2;
+  for (const FieldPoint p : record.plan.route.missed) {
+    const double x_m = p.x.base(), y_m = p.y.base();
+    const Ring cell{at_m(x_m - half_m, y_m - half_m), at_m(x_m + half_m, y_m - half_m),
+                    at_m(x_m + half_m, y_m + half_m), at_m(x_m - half_m, y_m + half_m)};
+    features.push_back(
+        feature("Polygon", Json::array({linear_ring(cell, true)}), {{"kind", "missed_cell"}}));
+  }
+  const Json all{{"type", "FeatureCollection"},
+                 {"name", record.scenario.name},
+                 {"frame",
+                  {{"axes", "east, north"},
+                   {"unit", "metre"},
+                   {"origin", "the scenario's own (0, 0)"},
+                   {"datum", nullptr}}},
+                 {"features", std::move(features)}};
+  return all.dump(1, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace furrow::app

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "app/results/flown.hpp"
+#include "app/results/mission_record.hpp"
+
+#include <string>
+
+namespace furrow::app {
+
+/// True offsets as HTML: how often each occurred, and the root mean square of each strip. Empty
+/// where nothing was flown.
+std::string deviation_charts(const MissionRecord& record, const Flown& flown);
+
+}  // namespace furrow::app

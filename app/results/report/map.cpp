@@ -1,0 +1,276 @@
+#include "app/results/report/map.hpp"
+
+#include "app/results/report/palette.hpp"
+#include "app/results/report/simplify.hpp"
+#include "app/results/report/view.hpp"
+
+#include <algorithm>
+
+namespace furrow::app {
+namespace {
+
+using Chains = std::vector<std::vector<Pixel>>;
+
+class Panels {
+ public:
+  Panels(const MissionRecord& record, const Flown& flown, const Result& result)
+      : record_{record},
+        route_{record.plan.route},
+        flown_{flown},
+        result_{result},
+        view_{view_of(record.scenario)} {}
+
+  std::string planned() const {
+    Svg svg = land_panel(view_, record_.scenario, "Planned");
+    for (std::size_t i = 0; i < uavs().size(); ++i) draw_ferries(svg, i);
+    for (std::size_t i = 0; i < uavs().size(); ++i) {
+      svg.path(strips(i), false,
+               {.stroke = uav_colour(i), .width = line_width(0.62), .opacity = 0.9});
+    }
+    draw_cells(svg, route_.missed, alarm);
+    for (std::size_t i = 0; i < uavs().size(); ++i) draw_returns(svg, i);
+    for (std::size_t i = 0; i < uavs().size(); ++i) draw_label(svg, i);
+    draw_stations(svg, view_, record_.scenario);
+    return svg.markup();
+  }
+
+  std::string tracks() const {
+    Svg svg = land_panel(view_, record_.scenario, "Flown");
+    for (std::size_t i = 0; i < uavs().size(); ++i) {
+      svg.path(strips(i), false, {.stroke = "#a9a48f", .width = 0.6});
+    }
+    for (const bool spraying : {false, true}) {
+      for (std::size_t i = 0; i < flown_.uavs.size(); ++i) {
+        svg.path(track(flown_.uavs[i].track, spraying), false,
+                 {.stroke = spraying ? uav_colour(i) : "#4a4a44",
+                  .width = spraying ? line_width(0.42) : 0.6,
+                  .opacity = spraying ? 1 : 0.55});
+      }
+    }
+    for (std::size_t i = 0; i < result_.uavs.size(); ++i) draw_landings(svg, i);
+    draw_stations(svg, view_, record_.scenario);
+    for (std::size_t i = 0; i < result_.uavs.size(); ++i) draw_loss(svg, i);
+    return svg.markup();
+  }
+
+  std::string accuracy() const {
+    Svg svg = land_panel(view_, record_.scenario, "Off the line");
+    draw_offsets(svg);
+    draw_cells(svg, route_.missed, alarm);
+    draw_cells(svg, cells_where([&](std::uint32_t i) { return flown_.proofs[i] == 0; }), alarm);
+    std::vector<std::uint32_t> passes(flown_.proofs.size());
+    for (const Pass& pass : flown_.passes) ++passes[pass.cell];
+    draw_cells(svg, cells_where([&](std::uint32_t i) { return passes[i] > 1; }), "#6a3d9a");
+    draw_stations(svg, view_, record_.scenario);
+    return svg.markup();
+  }
+
+ private:
+  const std::vector<scheduler::UavPlan>& uavs() const { return record_.plan.uavs; }
+  double line_width(double share) const {
+    return std::clamp(route_.cell.base() * view_.pixels_per_m * share, 0.7, 5.0);
+  }
+
+  Chains strips(std::size_t uav) const {
+    Chains chains;
+    const CellRange share = uavs()[uav].strips;
+    const double half = route_.cell.base() * view_.pixels_per_m / 2;
+    for (std::uint32_t i = share.first; i < end(share); ++i) {
+      const Pixel a = view_.at(route_.strips[i].from), b = view_.at(route_.strips[i].to);
+      // To the rims of the end cells; a strip of one cell is still seen.
+      const double length = std::hypot(b.x - a.x, b.y - a.y);
+      const double dx = length > 0 ? (b.x - a.x) / length * half : 0;
+      const double dy = length > 0 ? (b.y - a.y) / length * half : half;
+      chains.push_back({{a.x - dx, a.y - dy}, {b.x + dx, b.y + dy}});
+    }
+    return chains;
+  }
+
+  void draw_ferries(Svg& svg, std::size_t uav) const {
+    const scheduler::UavPlan& plan = uavs()[uav];
+    Chains ways;
+    for (const std::uint32_t cell : plan.solution.plan.returns) {
+      ways.push_back(
+          {view_.at(route_.centers[plan.cells.first + cell]), view_.at(plan.station.position)});
+    }
+    svg.path(ways, false, {.stroke = "#8b8b80", .width = 0.6, .opacity = 0.7, .dash = "3 3"});
+  }
+
+  void draw_returns(Svg& svg, std::size_t uav) const {
+    const scheduler::UavPlan& plan = uavs()[uav];
+    std::size_t sortie = 0;
+    for (const std::uint32_t cell : plan.solution.plan.returns) {
+      const FieldPoint p = route_.centers[plan.cells.first + cell];
+      svg.circle(view_.at(p), 3.4, {.fill = "#fff", .stroke = ink, .width = 1.4},
+                 fmt::format("UAV {}, return {} at ({:.1f}, {:.1f}) m", number(plan.vehicle.id),
+                             ++sortie, p.x.base(), p.y.base()));
+    }
+  }
+
+  void draw_label(Svg& svg, std::size_t uav) const {
+    const CellRange cells = uavs()[uav].cells;
+    if (cells.count == 0) return;
+    const FieldPoint first = route_.centers[cells.first], last = route_.centers[end(cells) - 1];
+    const CellRange share = uavs()[uav].strips;
+    const planner::Strip& middle = route_.strips[share.first + share.count / 2];
+    const Pixel a = view_.at(middle.from), b = view_.at(middle.to);
+    const Pixel p = view_.at(first), q = view_.at(last);
+    // Across the strips the middle of the share, along them the middle of its middle strip.
+    const bool is_upright = std::abs(b.y - a.y) > std::abs(b.x - a.x);
+    const Pixel at{is_upright ? (p.x + q.x) / 2 : (a.x + b.x) / 2,
+                   is_upright ? (a.y + b.y) / 2 : (p.y + q.y) / 2};
+    svg.text({at.x, at.y + 4}, fmt::format("{}", number(uavs()[uav].vehicle.id)),
+             {.size = 13, .anchor = "middle", .fill = ink, .bold = true, .halo = true});
+  }
+
+  Chains track(const std::vector<TrackPoint>& points, bool spraying) const {
+    constexpr double tolerance = 0.25;  // pixels
+    Chains chains;
+    std::vector<Pixel> chain;
+    const auto finish = [&] {
+      if (chain.size() > 1) chains.push_back(simplified(chain, tolerance));
+      chain.clear();
+    };
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      if (points[i - 1].spraying != spraying) {
+        finish();
+        continue;
+      }
+      if (chain.empty()) chain.push_back(view_.at(points[i - 1].position));
+      chain.push_back(view_.at(points[i].position));
+    }
+    finish();
+    return chains;
+  }
+
+  void draw_landings(Svg& svg, std::size_t uav) const {
+    for (const SortieFigures& s : result_.uavs[uav].sorties) {
+      if (s.bay == 0) continue;
+      svg.circle(
+          view_.at(s.returned), 3.2, {.fill = uav_colour(uav), .stroke = ink, .width = 1.2},
+          fmt::format("UAV {} returned at {:.1f} min", result_.uavs[uav].id, s.spray_ended_s / 60));
+    }
+  }
+
+  void draw_loss(Svg& svg, std::size_t uav) const {
+    if (!result_.uavs[uav].lost || flown_.uavs[uav].track.empty()) return;
+    const Pixel p = view_.at(flown_.uavs[uav].track.back().position);
+    const Chains cross{{{p.x - 6, p.y - 6}, {p.x + 6, p.y + 6}},
+                       {{p.x - 6, p.y + 6}, {p.x + 6, p.y - 6}}};
+    svg.path(cross, false, {.stroke = "#fff", .width = 5});
+    svg.path(cross, false, {.stroke = alarm, .width = 2.5});
+    svg.text({p.x + 9, p.y + 4}, fmt::format("UAV {} lost", result_.uavs[uav].id),
+             {.size = 11, .fill = alarm, .bold = true, .halo = true});
+  }
+
+  template <class Chosen>
+  std::vector<FieldPoint> cells_where(Chosen chosen) const {
+    std::vector<FieldPoint> cells;
+    for (std::uint32_t i = 0; i < route_.centers.size(); ++i) {
+      if (chosen(i)) cells.push_back(route_.centers[i]);
+    }
+    return cells;
+  }
+
+  // All squares of a colour are one path, as runs where neighbours follow each other.
+  void draw_cells(Svg& svg, const std::vector<FieldPoint>& cells, std::string_view colour) const {
+    const double side_m = route_.cell.base();
+    const double half = std::max(side_m * view_.pixels_per_m, 2.0) / 2;
+    Chains squares;
+    for (std::size_t i = 0; i < cells.size();) {
+      const bool upright = i + 1 < cells.size() && cells[i + 1].x == cells[i].x;
+      std::size_t last = i;
+      while (last + 1 < cells.size() &&
+             distance(cells[last], cells[last + 1]).base() < 1.01 * side_m &&
+             (upright ? cells[last + 1].x == cells[i].x : cells[last + 1].y == cells[i].y)) {
+        ++last;
+      }
+      const Pixel a = view_.at(cells[i]), b = view_.at(cells[last]);
+      const double west = std::min(a.x, b.x) - half, east = std::max(a.x, b.x) + half;
+      const double north = std::min(a.y, b.y) - half, south = std::max(a.y, b.y) + half;
+      squares.push_back({{west, north}, {east, north}, {east, south}, {west, south}});
+      i = last + 1;
+    }
+    svg.path(squares, true, {.fill = colour});
+  }
+
+  // Each strip is cut into bins of a few pixels, coloured by the root mean square of their passes.
+  void draw_offsets(Svg& svg) const {
+    constexpr double bin_pixels = 7;
+    const double swath_m = route_.cell.base();
+    const auto bin = static_cast<std::uint32_t>(
+        std::max(1.0, std::round(bin_pixels / (swath_m * view_.pixels_per_m))));
+    std::vector<double> squares(route_.centers.size());
+    std::vector<bool> passed(route_.centers.size());
+    for (const Pass& pass : flown_.passes) {
+      squares[pass.cell] = pass.offset_m * pass.offset_m;
+      passed[pass.cell] = true;
+    }
+    std::array<Chains, offset_classes.size()> by_class;
+    for (const planner::Strip& strip : route_.strips) {
+      for (std::uint32_t first = strip.cells.first; first < end(strip.cells); first += bin) {
+        const std::uint32_t last = std::min(first + bin, end(strip.cells));
+        double sum = 0;
+        std::uint32_t count = 0;
+        for (std::uint32_t i = first; i < last; ++i) {
+          if (!passed[i]) continue;
+          sum += squares[i];
+          ++count;
+        }
+        if (count == 0) continue;
+        const double share = std::sqrt(sum / count) / swath_m;
+        std::size_t k = 0;
+        while (share >= offset_classes[k].below) ++k;
+        const std::uint32_t onto = std::min(last, end(strip.cells) - 1);
+        by_class[k].push_back({view_.at(route_.centers[first]), view_.at(route_.centers[onto])});
+      }
+    }
+    for (std::size_t k = 0; k < by_class.size(); ++k) {
+      svg.path(by_class[k], false,
+               {.stroke = offset_classes[k].colour,
+                .width = std::max(swath_m * view_.pixels_per_m * 0.92, 1.0)});
+    }
+  }
+
+  const MissionRecord& record_;
+  const planner::Route& route_;
+  const Flown& flown_;
+  const Result& result_;
+  View view_;
+};
+
+std::string key(std::string_view colour, std::string_view words, std::string_view shape = "") {
+  return fmt::format("<li><i class=\"key {}\" style=\"background:{}\"></i>{}</li>", shape, colour,
+                     escaped(words));
+}
+
+std::string legend(const Result& result, bool is_flown) {
+  std::string items;
+  const std::size_t shown = std::min<std::size_t>(result.uavs.size(), hues.size());
+  for (std::size_t i = 0; i < shown; ++i) {
+    items += key(uav_colour(i), fmt::format("UAV {}", result.uavs[i].id));
+  }
+  if (shown < result.uavs.size()) items += "<li>then the colours repeat; numbers name the UAV</li>";
+  items += "<li><i class=\"key ring\"></i>return point</li>";
+  items += key(ink, "supply station");
+  items += key(alarm, "missed cell");
+  if (!is_flown) return "<ul class=\"legend\">" + items + "</ul>";
+  items += key("#6a3d9a", "cell sprayed twice");
+  std::string classes;
+  for (const OffsetClass& c : offset_classes) classes += key(c.colour, c.words);
+  return "<ul class=\"legend\">" + items +
+         "</ul><ul class=\"legend\"><li class=\"head\">True distance from the line</li>" + classes +
+         "</ul>";
+}
+
+}  // namespace
+
+std::string map_figure(const MissionRecord& record, const Flown& flown, const Result& result) {
+  const Panels panels{record, flown, result};
+  const bool is_flown = record.mode != Mode::plan;
+  std::string figure = "<div class=\"maps\">" + panels.planned();
+  if (is_flown) figure += panels.tracks() + panels.accuracy();
+  return figure + "</div>" + legend(result, is_flown);
+}
+
+}  // namespace furrow::app

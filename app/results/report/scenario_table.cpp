@@ -1,0 +1,71 @@
+#include "app/results/report/html_table.hpp"
+#include "app/results/report/tables.hpp"
+
+#include "app/results/land.hpp"
+
+namespace furrow::app {
+namespace {
+
+bool same_kind(const Vehicle& a, const Vehicle& b) {
+  return a.swath == b.swath && a.spray_speed == b.spray_speed && a.ferry_speed == b.ferry_speed &&
+         a.spray_endurance == b.spray_endurance && a.flight_endurance == b.flight_endurance &&
+         a.tank == b.tank && a.gnss.sigma == b.gnss.sigma && a.gnss.bias == b.gnss.bias;
+}
+
+std::string described(const Vehicle& v) {
+  return fmt::format(
+      "swath {:g} m, {:g} m/s spraying, {:g} m/s ferrying, {:g} min a tank of {:g} L ({:.1f} "
+      "L/ha), "
+      "{:g} min a pack, GNSS {:g} m noise and {:g} m bias",
+      v.swath.base(), v.spray_speed.base(), v.ferry_speed.base(), v.spray_endurance.base() / 60,
+      v.tank.base(), application_rate(v) / litres_per_hectare(1), v.flight_endurance.base() / 60,
+      v.gnss.sigma.base(), v.gnss.bias.base());
+}
+
+void add_vehicles(HtmlTable& table, const std::vector<Vehicle>& uavs) {
+  for (std::size_t first = 0; first < uavs.size();) {
+    std::size_t last = first;
+    while (last + 1 < uavs.size() && same_kind(uavs[first], uavs[last + 1])) ++last;
+    table.row({first == last
+                   ? fmt::format("UAV {}", number(uavs[first].id))
+                   : fmt::format("UAVs {} to {}", number(uavs[first].id), number(uavs[last].id)),
+               described(uavs[first])});
+    first = last + 1;
+  }
+}
+
+}  // namespace
+
+std::string scenario_table(const MissionRecord& record) {
+  const mission::Scenario& s = record.scenario;
+  HtmlTable table{"<What", "<How"};
+  table.row({"Scenario", s.name});
+  table.row({"Seed", fmt::format("{}", s.seed)});
+  table.row({"Field", fmt::format("{:.2f} ha, holes: {}, obstacles: {}, strips heading {:g}°",
+                                  area(s.field) / hectares(1), s.field.holes.size(),
+                                  s.field.obstacles.size(), record.plan.work_direction_deg)});
+  add_vehicles(table, s.uavs);
+  for (const Station& station : s.stations) {
+    table.row({fmt::format("Station {}", number(station.id)),
+               fmt::format("at ({:.1f}, {:.1f}) m, bays: {}, battery swap {:g} s, filling {:g} to "
+                           "{:g} s",
+                           station.position.x.base(), station.position.y.base(), station.bays,
+                           station.battery_swap.base(), station.fill_base.base(),
+                           station.fill_full.base())});
+  }
+  table.row({"Wind", s.wind.mean.base() == 0 && s.wind.gust.base() == 0
+                         ? "calm"
+                         : fmt::format("{:g} m/s from {:g}°, gusts of {:g} m/s", s.wind.mean.base(),
+                                       s.wind.from_deg, s.wind.gust.base())});
+  table.row({"Radio",
+             fmt::format("{:g} ms, jitter {:g} ms, loss {:g} %, doubled {:g} %",
+                         seconds(s.link.latency).base() * 1e3, seconds(s.link.jitter).base() * 1e3,
+                         100 * s.link.loss, 100 * s.link.duplication)});
+  for (const mission::Fault& fault : s.faults) {
+    table.row({"Fault", fmt::format("UAV {} dies at {:.1f} min", number(fault.target),
+                                    seconds(fault.at).base() / 60)});
+  }
+  return table.markup();
+}
+
+}  // namespace furrow::app

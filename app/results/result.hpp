@@ -1,0 +1,165 @@
+#pragma once
+// The figures of a mission, as result.json holds them. Units end the names, because the names are
+// the file's.
+
+#include "app/results/mission_record.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace furrow::app {
+
+struct FieldFigures {
+  double area_m2;  ///< Inside the boundary and outside the holes.
+  std::uint32_t strips;
+  double strip_length_m;
+  std::uint32_t cells;  ///< Workable cells, those that the route leaves out included.
+};
+
+/// The ledger's view, in whole cells. Covered and missed together are all workable cells.
+struct CoverageFigures {
+  double covered_m2;    ///< Proven sprayed by a closed grant; planned when only planned.
+  double missed_m2;     ///< All other workable cells.
+  double repeated_m2;   ///< Sprayed more than once, each extra pass counted.
+  double outside_m2;    ///< Sprayed outside the boundary or inside a hole.
+  double unrouted_m2;   ///< Part of missed: left out by the route.
+  double abandoned_m2;  ///< Part of missed: given up by the scheduler.
+  double uncertain_m2;  ///< Part of missed: truly sprayed, without proof.
+};
+
+/// What the swaths wetted, from the true offset of each cell's pass. Zero when only planned.
+struct FootprintFigures {
+  double wetted_m2;
+  double missed_m2;   ///< Workable cells' area left dry.
+  double overlap_m2;  ///< Area wetted again.
+  double outside_m2;  ///< Wetted outside the boundary or inside a hole.
+};
+
+struct FleetFigures {
+  double makespan_s;  ///< Mission time of the last sprayed cell.
+  double planned_makespan_s;
+  double lower_bound_s;
+  double gap;  ///< makespan / lower bound - 1.
+  double spray_s, non_spray_s, queue_wait_s;
+  double route_m, ferry_m, flown_outside_m;
+};
+
+struct SortieFigures {
+  FieldPoint start, returned;
+  double spray_m;
+  double round_trip_m;  ///< Twice the way home; 0 after the last sortie, which is no return.
+  double flight_s;
+  std::uint32_t pack;
+  double battery_used;
+  double battery_swap_s, fill_s, fill, wait_s;
+  std::uint32_t station, bay;  ///< 0 after the last sortie.
+  double began_s, spray_began_s, spray_ended_s, landed_s;
+  double service_began_s, ready_s;  ///< 0 after the last sortie.
+};
+
+struct Spread {
+  std::uint64_t samples;
+  double rms_m, max_m;
+};
+
+/// Cross-track distance on strips: the truth, and what the fix showed of it.
+struct DeviationFigures {
+  Spread truth, fix;
+};
+
+struct UavFigures {
+  std::uint32_t id;
+  std::uint32_t strips;
+  double area_m2;      ///< Its share, planned.
+  double non_spray_s;  ///< Round trips, services and waits; the last way home left out.
+  double spray_s, queue_wait_s, ferry_m;
+  double spray_ended_s, landed_s;
+  double planned_spray_ended_s;
+  double planned_non_spray_s;  ///< E of the plan, waits left out.
+  double lower_bound_s;        ///< Of the planned non-spray time.
+  bool proven;
+  bool lost;
+  DeviationFigures deviation;
+  std::vector<SortieFigures> sorties;
+};
+
+struct BatteryFigures {
+  std::uint32_t uav, pack;
+  double used;
+};
+
+/// Sums over the fleet's plans.
+struct SolverFigures {
+  std::string returns;
+  bool refined;
+  std::uint32_t return_points;
+  double round_trips_m;
+  std::uint32_t swaps;
+  double swap_s, fill_s, service_s;
+  double non_spray_s;               ///< Waits left out.
+  std::optional<double> gsa_s;      ///< Objective before refinement.
+  std::optional<double> optimum_s;  ///< Where every UAV's is proven.
+  double lower_bound_s;
+  bool proven;
+  std::optional<double> gap;  ///< None without a bound.
+  std::uint64_t evaluations;
+  double wall_s;
+};
+
+struct BayFigures {
+  std::uint32_t bay, services;
+  double busy_s;
+};
+
+struct StationFigures {
+  std::uint32_t id, swaps;
+  double filled_l;
+  std::vector<BayFigures> bays;
+};
+
+struct LogFigures {
+  std::uint64_t messages;
+  std::string digest;  ///< 64 bits in hexadecimal.
+};
+
+struct FaultFigures {
+  double at_s;
+  std::string kind;
+  std::uint32_t target;
+  std::optional<double> noticed_s;
+};
+
+struct ExpectationFigures {
+  std::string key;
+  bool met;
+  std::optional<double> value;  ///< None for a key that names no figure.
+  std::optional<double> min, max;
+  std::string message;  ///< Why it is missed; empty when met.
+};
+
+struct Result {
+  std::string scenario;
+  std::uint64_t seed;
+  Mode mode;
+  bool partial;
+  bool completed;  ///< Every cell of the route is sprayed, or is planned to be.
+  FieldFigures field;
+  CoverageFigures coverage;
+  FootprintFigures footprint;
+  FleetFigures fleet;
+  std::vector<UavFigures> uavs;
+  std::vector<BatteryFigures> batteries;
+  SolverFigures solver;
+  DeviationFigures deviation;
+  std::vector<StationFigures> stations;
+  std::vector<Violation> violations;
+  LogFigures log;
+  Timing timing;
+  double real_time_factor;
+  std::vector<FaultFigures> faults;
+  std::vector<ExpectationFigures> expectations;
+};
+
+}  // namespace furrow::app

@@ -1,0 +1,340 @@
+#include "app/results/summary.hpp"
+
+#include "app/results/digest.hpp"
+#include "app/results/expectations.hpp"
+#include "app/results/footprint.hpp"
+#include "app/results/land.hpp"
+#include "app/results/sorties.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+namespace furrow::app {
+namespace {
+
+const char* name(mission::Fault::Kind kind) {
+  switch (kind) {
+    case mission::Fault::Kind::agent_kill: return "agent_kill";
+  }
+  return "unknown";
+}
+
+double cell_area_m2(const MissionRecord& record) {
+  return record.plan.route.cell.base() * record.plan.route.cell.base();
+}
+
+std::optional<double> ratio_gap(double value, double bound) {
+  if (bound > 0) return value / bound - 1;
+  return value == 0 ? std::optional{0.0} : std::nullopt;
+}
+
+FieldFigures field_figures(const MissionRecord& record) {
+  const planner::Route& route = record.plan.route;
+  double strips_m = 0;
+  for (const planner::Strip& s : route.strips) strips_m += distance(s.from, s.to).base();
+  return {.area_m2 = area(record.scenario.field).base(),
+          .strips = static_cast<std::uint32_t>(route.strips.size()),
+          .strip_length_m = strips_m,
+          .cells = static_cast<std::uint32_t>(route.centers.size() + route.missed.size())};
+}
+
+CoverageFigures planned_coverage(const MissionRecord& record) {
+  const planner::Route& route = record.plan.route;
+  std::vector<std::uint32_t> times(route.centers.size());
+  for (const scheduler::UavPlan& uav : record.plan.uavs) {
+    for (std::uint32_t i = uav.cells.first; i < end(uav.cells); ++i) ++times[i];
+  }
+  double covered = 0, repeated = 0;
+  for (const std::uint32_t n : times) {
+    covered += n > 0;
+    repeated += n > 1 ? n - 1 : 0;
+  }
+  const double cells = static_cast<double>(times.size());
+  const double unrouted = static_cast<double>(route.missed.size());
+  const double cell_m2 = cell_area_m2(record);
+  return {.covered_m2 = covered * cell_m2,
+          .missed_m2 = (cells - covered + unrouted) * cell_m2,
+          .repeated_m2 = repeated * cell_m2,
+          .outside_m2 = 0,
+          .unrouted_m2 = unrouted * cell_m2,
+          .abandoned_m2 = (cells - covered) * cell_m2,
+          .uncertain_m2 = 0};
+}
+
+CoverageFigures flown_coverage(const MissionRecord& record, const Flown& flown,
+                               const FootprintFigures& wetted) {
+  std::vector<std::uint32_t> passes(flown.proofs.size());
+  for (const Pass& pass : flown.passes) ++passes[pass.cell];
+  double covered = 0, repeated = 0, uncertain = 0;
+  for (std::size_t i = 0; i < passes.size(); ++i) {
+    const std::uint32_t times = std::max(passes[i], flown.proofs[i]);
+    covered += flown.proofs[i] > 0;
+    repeated += times > 1 ? times - 1 : 0;
+    uncertain += flown.proofs[i] == 0 && passes[i] > 0;
+  }
+  const double cells = static_cast<double>(passes.size());
+  const double unrouted = static_cast<double>(record.plan.route.missed.size());
+  const double abandoned = flown.last_word ? flown.last_word->abandoned_cells : 0;
+  const double cell_m2 = cell_area_m2(record);
+  return {.covered_m2 = covered * cell_m2,
+          .missed_m2 = (cells - covered + unrouted) * cell_m2,
+          .repeated_m2 = repeated * cell_m2,
+          .outside_m2 = wetted.outside_m2,
+          .unrouted_m2 = unrouted * cell_m2,
+          .abandoned_m2 = abandoned * cell_m2,
+          .uncertain_m2 = uncertain * cell_m2};
+}
+
+Spread spread(const FlightRecord::Deviation& d) {
+  const double mean_square = d.samples > 0 ? d.sum_squares / d.samples : 0;
+  return {.samples = d.samples, .rms_m = std::sqrt(mean_square), .max_m = d.largest};
+}
+
+DeviationFigures fleet_deviation(const Flown& flown) {
+  const auto total = [&](FlightRecord::Deviation FlownUav::*which) {
+    double squares = 0;
+    Spread sum{};
+    for (const FlownUav& uav : flown.uavs) {
+      const FlightRecord::Deviation& d = uav.*which;
+      sum.samples += d.samples;
+      squares += d.sum_squares;
+      sum.max_m = std::max(sum.max_m, d.largest);
+    }
+    if (sum.samples > 0) sum.rms_m = std::sqrt(squares / static_cast<double>(sum.samples));
+    return sum;
+  };
+  return {.truth = total(&FlownUav::truth), .fix = total(&FlownUav::fix)};
+}
+
+double open_valve_s(const std::vector<TrackPoint>& track) {
+  Duration open{};
+  for (std::size_t i = 1; i < track.size(); ++i) {
+    if (track[i - 1].spraying) open += track[i].at - track[i - 1].at;
+  }
+  return seconds(open).base();
+}
+
+// When the valve last closed, as far as the track goes; 0 if it never opened.
+double last_open_s(const std::vector<TrackPoint>& track) {
+  for (std::size_t i = track.size(); i > 0; --i) {
+    if (track[i - 1].spraying) return seconds(track[std::min(i, track.size() - 1)].at).base();
+  }
+  return 0;
+}
+
+double flown_outside_m(const Field& field, const Flown& flown) {
+  double sum_m = 0;
+  for (const FlownUav& uav : flown.uavs) {
+    for (std::size_t i = 1; i < uav.track.size(); ++i) {
+      sum_m += length_outside(field, uav.track[i - 1].position, uav.track[i].position).base();
+    }
+  }
+  return sum_m;
+}
+
+double planned_outside_m(const Field& field, const std::vector<UavFigures>& uavs,
+                         const std::vector<scheduler::UavPlan>& plans) {
+  double sum_m = 0;
+  for (std::size_t i = 0; i < uavs.size(); ++i) {
+    FieldPoint from = plans[i].vehicle.home;
+    for (const SortieFigures& s : uavs[i].sorties) {
+      sum_m += length_outside(field, from, s.start).base();
+      sum_m += length_outside(field, s.returned, plans[i].station.position).base();
+      from = plans[i].station.position;
+    }
+  }
+  return sum_m;
+}
+
+UavFigures common_figures(const scheduler::UavPlan& uav, double cell_m2) {
+  UavFigures f{};
+  f.id = number(uav.vehicle.id);
+  f.strips = uav.strips.count;
+  f.area_m2 = uav.cells.count * cell_m2;
+  f.planned_spray_ended_s = uav.spray_ends_s;
+  f.planned_non_spray_s = uav.solution.plan.non_spray_s;
+  f.lower_bound_s = uav.solution.lower_bound_s;
+  f.proven = uav.solution.proven;
+  return f;
+}
+
+UavFigures planned_figures(const planner::Route& route, const scheduler::UavPlan& uav,
+                           double cell_m2) {
+  UavFigures f = common_figures(uav, cell_m2);
+  f.sorties = planned_sorties(route, uav);
+  for (const planner::PlannedSortie& s : uav.solution.plan.sorties) {
+    f.spray_s += s.spray_s;
+    f.ferry_m += ((s.fly_out_s + s.fly_back_s) * uav.vehicle.ferry_speed.base());
+  }
+  for (const SortieFigures& s : f.sorties) f.queue_wait_s += s.wait_s;
+  f.non_spray_s = uav.solution.plan.non_spray_s + f.queue_wait_s;
+  f.spray_ended_s = uav.spray_ends_s;
+  f.landed_s = uav.lands_s;
+  return f;
+}
+
+UavFigures flown_figures(const FlownUav& flown, const scheduler::UavPlan& uav, bool lost,
+                         double cell_m2) {
+  UavFigures f = common_figures(uav, cell_m2);
+  f.lost = lost;
+  f.sorties = flown_sorties(flown, uav);
+  for (const SortieReport& s : flown.sorties) f.ferry_m += s.ferried.base();
+  for (const SortieFigures& s : f.sorties) f.queue_wait_s += s.wait_s;
+  f.spray_s = open_valve_s(flown.track);
+  f.non_spray_s = non_spray_s(f.sorties);
+  if (!f.sorties.empty()) {
+    f.spray_ended_s = f.sorties.back().spray_ended_s;
+    f.landed_s = f.sorties.back().landed_s;
+  }
+  // A sortie that never ended has no report.
+  f.spray_ended_s = std::max(f.spray_ended_s, last_open_s(flown.track));
+  f.deviation = {.truth = spread(flown.truth), .fix = spread(flown.fix)};
+  return f;
+}
+
+FleetFigures fleet_figures(const MissionRecord& record, const Flown& flown, const Result& result) {
+  FleetFigures f{};
+  const bool is_flown = record.mode != Mode::plan;
+  f.makespan_s = is_flown ? flown.last_spray_s : record.plan.makespan_s;
+  f.planned_makespan_s = record.plan.makespan_s;
+  f.lower_bound_s = record.plan.lower_bound_s;
+  f.gap = ratio_gap(f.makespan_s, f.lower_bound_s).value_or(0);
+  for (const UavFigures& uav : result.uavs) {
+    f.spray_s += uav.spray_s;
+    f.non_spray_s += uav.non_spray_s;
+    f.queue_wait_s += uav.queue_wait_s;
+    f.ferry_m += uav.ferry_m;
+    for (const SortieFigures& s : uav.sorties) f.route_m += s.spray_m;
+  }
+  f.flown_outside_m = is_flown
+                          ? flown_outside_m(record.scenario.field, flown)
+                          : planned_outside_m(record.scenario.field, result.uavs, record.plan.uavs);
+  return f;
+}
+
+std::vector<BatteryFigures> battery_figures(const std::vector<UavFigures>& uavs) {
+  std::vector<BatteryFigures> batteries;
+  for (const UavFigures& uav : uavs) {
+    std::map<std::uint32_t, double> used;
+    for (const SortieFigures& s : uav.sorties) used[s.pack] += s.battery_used;
+    for (const auto& [pack, share] : used) batteries.push_back({uav.id, pack, share});
+  }
+  return batteries;
+}
+
+SolverFigures solver_figures(const MissionRecord& record) {
+  const planner::SolveSettings& settings = record.scenario.solver;
+  const bool is_gsa = settings.returns == planner::ReturnStrategy::gsa;
+  SolverFigures f{};
+  f.returns = planner::name(settings.returns);
+  f.refined = is_gsa && settings.refine;
+  f.proven = true;
+  f.wall_s = record.timing.solver_wall_s;
+  double gsa_s = 0;
+  for (const scheduler::UavPlan& uav : record.plan.uavs) {
+    const planner::Solution& solution = uav.solution;
+    f.return_points += static_cast<std::uint32_t>(solution.plan.returns.size());
+    f.round_trips_m += solution.plan.round_trips_m;
+    f.swaps += solution.plan.swaps;
+    for (const planner::PlannedSortie& s : solution.plan.sorties) {
+      f.swap_s += s.battery_swap_s;
+      f.fill_s += s.fill_s;
+      f.service_s += s.service_s;
+    }
+    f.non_spray_s += solution.plan.non_spray_s;
+    f.lower_bound_s += solution.lower_bound_s;
+    f.proven = f.proven && (solution.proven || uav.cells.count == 0);
+    f.evaluations += solution.evaluations;
+    gsa_s += solution.gsa_objective_s;
+  }
+  if (is_gsa) f.gsa_s = gsa_s;
+  if (f.proven) f.optimum_s = f.lower_bound_s;
+  f.gap = ratio_gap(f.non_spray_s, f.lower_bound_s);
+  return f;
+}
+
+std::vector<StationFigures> station_figures(const MissionRecord& record, const Flown& flown,
+                                            const std::vector<UavFigures>& uavs) {
+  std::vector<StationFigures> stations;
+  for (const Station& station : record.scenario.stations) {
+    StationFigures f{.id = number(station.id), .swaps = 0, .filled_l = 0, .bays = {}};
+    for (std::uint32_t bay = 1; bay <= station.bays; ++bay) f.bays.push_back({bay, 0, 0});
+    for (std::size_t i = 0; i < uavs.size(); ++i) {
+      const double tank_l = record.plan.uavs[i].vehicle.tank.base();
+      for (const SortieFigures& s : uavs[i].sorties) {
+        if (s.station != f.id || s.bay < 1 || s.bay > station.bays) continue;
+        f.swaps += s.battery_swap_s > 0;
+        f.filled_l += s.fill * tank_l;
+        ++f.bays[s.bay - 1].services;
+        f.bays[s.bay - 1].busy_s += s.ready_s - s.service_began_s;
+      }
+    }
+    if (const auto said = flown.stations.find(station.id); said != flown.stations.end()) {
+      f.swaps = said->second.swaps;
+      f.filled_l = said->second.filled.base();
+    }
+    stations.push_back(std::move(f));
+  }
+  return stations;
+}
+
+std::vector<FaultFigures> fault_figures(const MissionRecord& record, const Flown& flown) {
+  std::vector<FaultFigures> faults;
+  for (const mission::Fault& fault : record.scenario.faults) {
+    FaultFigures f{.at_s = seconds(fault.at).base(),
+                   .kind = name(fault.kind),
+                   .target = number(fault.target),
+                   .noticed_s = {}};
+    if (const auto lost = flown.lost.find(fault.target); lost != flown.lost.end()) {
+      f.noticed_s = seconds(lost->second).base();
+    }
+    faults.push_back(std::move(f));
+  }
+  return faults;
+}
+
+}  // namespace
+
+Result summary(const MissionRecord& record) { return summary(record, flown(record)); }
+
+Result summary(const MissionRecord& record, const Flown& flown) {
+  const bool is_flown = record.mode != Mode::plan;
+  Result r{};
+  r.scenario = record.scenario.name;
+  r.seed = record.scenario.seed;
+  r.mode = record.mode;
+  r.partial = record.partial;
+  r.field = field_figures(record);
+  const double cell_m2 = cell_area_m2(record);
+  for (std::size_t i = 0; i < record.plan.uavs.size(); ++i) {
+    const scheduler::UavPlan& uav = record.plan.uavs[i];
+    r.uavs.push_back(
+        is_flown ? flown_figures(flown.uavs[i], uav, flown.lost.contains(uav.vehicle.id), cell_m2)
+                 : planned_figures(record.plan.route, uav, cell_m2));
+  }
+  if (is_flown) {
+    r.footprint = footprint(record.scenario.field, record.plan.route, flown.passes,
+                            record.plan.work_direction_deg);
+    r.coverage = flown_coverage(record, flown, r.footprint);
+  } else {
+    r.coverage = planned_coverage(record);
+  }
+  r.completed = is_flown ? !record.partial && flown.last_word && flown.last_word->completed
+                         : r.coverage.abandoned_m2 == 0;
+  r.fleet = fleet_figures(record, flown, r);
+  r.batteries = battery_figures(r.uavs);
+  r.solver = solver_figures(record);
+  r.deviation = fleet_deviation(flown);
+  r.stations = station_figures(record, flown, r.uavs);
+  r.violations = record.violations;
+  r.log = {.messages = record.log.size(), .digest = digest(record.log)};
+  r.timing = record.timing;
+  r.real_time_factor = record.timing.run_wall_s > 0 ? flown.ended_s / record.timing.run_wall_s : 0;
+  r.faults = fault_figures(record, flown);
+  r.expectations = judged(record.scenario.expectations, r);
+  return r;
+}
+
+}  // namespace furrow::app

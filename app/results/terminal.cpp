@@ -1,0 +1,95 @@
+#include "app/results/terminal.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace furrow::app {
+namespace {
+
+constexpr std::size_t most_columns = 100;
+constexpr std::size_t most_uav_rows = 40;
+constexpr double redraw_s = 0.1;
+
+// Cut to the width of the table; cells are ASCII but for names, which may then lose a letter.
+std::string cut(std::string line) {
+  if (line.size() > most_columns) line = line.substr(0, most_columns - 3) + "...";
+  return line + '\n';
+}
+
+std::string state(const Result& r) {
+  if (r.partial) return "interrupted";
+  if (r.mode == Mode::plan) return "planned";
+  return r.completed ? "completed" : "NOT COMPLETED";
+}
+
+std::string distance_to_bound(const SolverFigures& s) {
+  if (!s.gap) return "no bound known";
+  return fmt::format("{:.2f} % above {}", 100 * *s.gap, s.proven ? "the optimum" : "the bound");
+}
+
+std::string uav_rows(const Result& r) {
+  std::string rows =
+      fmt::format("{:>5} {:>7} {:>8} {:>8} {:>10} {:>11} {:>9} {:>10} {:>10}\n", "UAV", "strips",
+                  "area ha", "sorties", "spray min", "non-spray", "wait min", "end min", "RMS cm");
+  const std::size_t shown = std::min(r.uavs.size(), most_uav_rows);
+  for (std::size_t i = 0; i < shown; ++i) {
+    const UavFigures& u = r.uavs[i];
+    rows += fmt::format(
+        "{:>5} {:>7} {:>8.2f} {:>8} {:>10.1f} {:>11.1f} {:>9.1f} {:>10.1f} {:>10.1f}{}\n", u.id,
+        u.strips, u.area_m2 / 10'000, u.sorties.size(), u.spray_s / 60, u.non_spray_s / 60,
+        u.queue_wait_s / 60, u.spray_ended_s / 60, 100 * u.deviation.truth.rms_m,
+        u.lost ? "  lost" : "");
+  }
+  if (shown < r.uavs.size()) rows += fmt::format("  ... and {} more\n", r.uavs.size() - shown);
+  double area_m2 = 0;
+  std::size_t sorties = 0;
+  for (const UavFigures& u : r.uavs) {
+    area_m2 += u.area_m2;
+    sorties += u.sorties.size();
+  }
+  return rows + fmt::format(
+                    "{:>5} {:>7} {:>8.2f} {:>8} {:>10.1f} {:>11.1f} {:>9.1f} {:>10.1f} {:>10.1f}\n",
+                    "fleet", r.field.strips, area_m2 / 10'000, sorties, r.fleet.spray_s / 60,
+                    r.fleet.non_spray_s / 60, r.fleet.queue_wait_s / 60, r.fleet.makespan_s / 60,
+                    100 * r.deviation.truth.rms_m);
+}
+
+}  // namespace
+
+std::string summary_table(const Result& r) {
+  std::string table =
+      cut(fmt::format("{} (seed {}): {}", r.scenario, r.seed, state(r))) + uav_rows(r);
+  table +=
+      fmt::format("covered {:.2f} ha, missed {:.0f} m2, repeated {:.0f} m2, outside {:.1f} m2\n",
+                  r.coverage.covered_m2 / 10'000, r.coverage.missed_m2, r.coverage.repeated_m2,
+                  r.coverage.outside_m2);
+  table += fmt::format(
+      "last cell {:.2f} min, planned {:.2f}, no plan below {:.2f}; returns by {}: "
+      "{}\n",
+      r.fleet.makespan_s / 60, r.fleet.planned_makespan_s / 60, r.fleet.lower_bound_s / 60,
+      r.solver.returns, distance_to_bound(r.solver));
+  for (const ExpectationFigures& e : r.expectations) {
+    if (!e.met) table += cut("missed: " + e.message);
+  }
+  for (const Violation& v : r.violations) {
+    table += cut(fmt::format("broken: {} at {:.1f} s: {}", v.law, seconds(v.at).base(), v.detail));
+  }
+  return table;
+}
+
+std::string ProgressBar::draw(std::uint32_t sprayed_cells, double mission_s, double wall_s) {
+  if (!on_tty_ || (drawn_s_ && wall_s - *drawn_s_ < redraw_s)) return {};
+  drawn_s_ = wall_s;
+  constexpr std::size_t width = 30;
+  const double share = cells_ > 0 ? std::min(1.0, double{1} * sprayed_cells / cells_) : 1.0;
+  const auto full = static_cast<std::size_t>(share * width);
+  const double times_real = wall_s > 0 ? mission_s / wall_s : 0;
+  // Erased to the end of the line, so that a shorter line leaves nothing of a longer one.
+  return fmt::format("\r[{}{}] {:5.1f} % sprayed  {:.1f} min  {:.0f} x real time\x1b[K",
+                     std::string(full, '#'), std::string(width - full, '.'), 100 * share,
+                     mission_s / 60, times_real);
+}
+
+std::string ProgressBar::clear() const { return drawn_s_ ? "\r\x1b[K" : ""; }
+
+}  // namespace furrow::app

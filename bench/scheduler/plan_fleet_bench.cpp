@@ -1,0 +1,124 @@
+// Planning a fleet's mission: the field of Wang et al. 2017 with three aircraft, and twenty on
+// about 100 ha. Counters: makespan and its lower bound in seconds, gap in per cent.
+
+#include "scheduler/draft.hpp"
+#include "scheduler/forecast.hpp"
+#include "scheduler/plan_fleet.hpp"
+
+#include <benchmark/benchmark.h>
+
+namespace furrow::scheduler {
+namespace {
+
+Vehicle vehicle(std::uint32_t id) {
+  return {.id = AgentId{id},
+          .home = at_m(0, 0),
+          .swath = metres(2),
+          .spray_speed = metres_per_second(3),
+          .ferry_speed = metres_per_second(6),
+          .spray_endurance = seconds(900.0),
+          .flight_endurance = seconds(1500.0),
+          .battery_reserve = 0.0,
+          .tank = litres(10),
+          .min_turn_radius = metres(0),
+          .acceleration_limit = metres_per_second2(3),
+          .gnss = {}};
+}
+
+Station station(std::uint32_t id, std::uint32_t bays, FieldPoint position) {
+  return {.id = StationId{id},
+          .position = position,
+          .bays = bays,
+          .battery_swap = seconds(60.0),
+          .fill_base = seconds(20.0),
+          .fill_full = seconds(60.0)};
+}
+
+FleetProblem problem(Ring boundary, std::vector<Station> stations, std::uint32_t uavs,
+                     double budget_s) {
+  FleetProblem p{.field = {.boundary = std::move(boundary), .holes = {}, .obstacles = {}},
+                 .coverage = {},
+                 .work_direction_deg = 0.0,
+                 .stations = std::move(stations),
+                 .vehicles = {},
+                 .solver = {.returns = planner::ReturnStrategy::gsa,
+                            .refine = true,
+                            .paper_counting = false,
+                            .iterations = 300,
+                            .masses = 50,
+                            .budget_s = budget_s,
+                            .seed = 1}};
+  for (std::uint32_t i = 1; i <= uavs; ++i) {
+    p.vehicles.push_back(vehicle(i));
+    p.vehicles.back().home = p.stations[(i - 1) * p.stations.size() / uavs].position;
+  }
+  return p;
+}
+
+FleetProblem field_a(std::uint32_t uavs) {
+  return problem({at_m(0, 0), at_m(100, 0), at_m(100, 700), at_m(40, 700), at_m(0, 660)},
+                 {station(1, 1, at_m(0, 0))}, uavs, 1.0);
+}
+
+FleetProblem hundred_hectares() {
+  return problem({at_m(0, 0), at_m(1000, 0), at_m(1000, 1000), at_m(0, 1000)},
+                 {station(1, 2, at_m(250, 0)), station(2, 2, at_m(750, 0))}, 20, 4.0);
+}
+
+void plan(benchmark::State& state, const FleetProblem& p) {
+  for (auto _ : state) {
+    const auto planned = plan_fleet(p);
+    if (!planned) {
+      state.SkipWithError(planned.error().detail.c_str());
+      return;
+    }
+    double wait_s = 0.0;
+    for (const UavPlan& u : planned->uavs) {
+      for (const Visit& v : u.visits) wait_s += v.starts_s - v.arrives_s;
+    }
+    state.counters["makespan_s"] = planned->makespan_s;
+    state.counters["bound_s"] = planned->lower_bound_s;
+    state.counters["gap_percent"] = 100.0 * (planned->makespan_s / planned->lower_bound_s - 1.0);
+    state.counters["queue_wait_s"] = wait_s;
+  }
+}
+
+void BM_plan_field_a(benchmark::State& state) {
+  plan(state, field_a(static_cast<std::uint32_t>(state.range(0))));
+}
+BENCHMARK(BM_plan_field_a)->Arg(1)->Arg(3)->Unit(benchmark::kMillisecond);
+
+void BM_plan_hundred_hectares(benchmark::State& state) { plan(state, hundred_hectares()); }
+BENCHMARK(BM_plan_hundred_hectares)->Unit(benchmark::kMillisecond)->Iterations(1);
+
+void BM_draft_hundred_hectares(benchmark::State& state) {
+  const FleetProblem p = hundred_hectares();
+  const auto route = planner::coverage_route(p.field, metres(2), p.coverage);
+  const RouteLengths lengths = route_lengths(*route, p.stations);
+  for (auto _ : state) {
+    const Draft drafted = draft(*route, lengths, p.vehicles, p.stations);
+    state.counters["makespan_s"] = drafted.forecast.makespan_s;
+    state.counters["queue_wait_s"] = drafted.forecast.queue_wait_s;
+  }
+}
+BENCHMARK(BM_draft_hundred_hectares)->Unit(benchmark::kMillisecond);
+
+// Twenty aircraft, ten returns each, at two stations of two bays.
+void BM_forecast(benchmark::State& state) {
+  const std::vector stations{station(1, 2, at_m(0, 0)), station(2, 2, at_m(0, 0))};
+  std::vector<Itinerary> fleet;
+  for (std::uint32_t i = 0; i < 20; ++i) {
+    fleet.push_back({.agent = AgentId{i + 1},
+                     .station = i % 2,
+                     .flights_s = std::vector(10, 950.0 + 3.0 * i),
+                     .services_s = std::vector(10, 60.0),
+                     .last_spray_s = 500,
+                     .last_home_s = 50,
+                     .flies = true});
+  }
+  for (auto _ : state) benchmark::DoNotOptimize(forecast(fleet, stations).makespan_s);
+}
+BENCHMARK(BM_forecast)->Unit(benchmark::kMicrosecond);
+
+}  // namespace
+}  // namespace furrow::scheduler

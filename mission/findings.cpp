@@ -1,0 +1,84 @@
+#include "mission/findings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+
+namespace furrow::mission {
+namespace {
+
+// Levenshtein 1965, one row at a time.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t changed = diagonal + (a[i] != b[j]);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({changed, row[j] + 1, row[j + 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+std::string nearest(std::string_view word, const std::vector<std::string>& known) {
+  const auto shortened = word.substr(0, 100);
+  return *std::min_element(known.begin(), known.end(), [&](const auto& a, const auto& b) {
+    return edit_distance(shortened, a) < edit_distance(shortened, b);
+  });
+}
+
+}  // namespace
+
+void Findings::add(int line, int column, std::string key, std::string rule, std::string value) {
+  errors_.push_back({file_, line, column, std::move(key), std::move(rule), std::move(value)});
+}
+
+void Findings::ask(const Element* map, const std::string& path, std::string_view key,
+                   std::string rule, std::string otherwise) {
+  if (survey_) {
+    survey_->push_back({path.empty() ? std::string{key} : fmt::format("{}.{}", path, key),
+                        std::move(rule), std::move(otherwise)});
+  }
+  if (!map) return;
+  const auto [at, is_new] = index_.try_emplace(map, asked_.size());
+  if (is_new) asked_.push_back({map, path, {}});
+  asked_[at->second].keys.emplace_back(key);
+}
+
+void Findings::judge_keys() {
+  for (const auto& asked : asked_) judge(asked);
+}
+
+void Findings::judge(const Asked& asked) {
+  std::map<std::string_view, int> first_line;
+  for (std::size_t i = 0; i < asked.map->keys.size(); ++i) {
+    const auto& key = asked.map->keys[i];
+    const auto path =
+        asked.path.empty() ? shown(key.name) : fmt::format("{}.{}", asked.path, shown(key.name));
+    const auto value = shown(asked.map->items[i]);
+    const auto [first, is_new] = first_line.try_emplace(key.name, key.line);
+    if (!is_new) {
+      add(key.line, key.column, path,
+          fmt::format("must be given once, it is given on line {} too", first->second), value);
+    } else if (std::find(asked.keys.begin(), asked.keys.end(), key.name) == asked.keys.end()) {
+      add(key.line, key.column, path,
+          fmt::format("must be a known key, the nearest is {}", nearest(key.name, asked.keys)),
+          value);
+    }
+  }
+}
+
+std::vector<ScenarioError> Findings::sorted() const {
+  auto errors = errors_;
+  std::stable_sort(errors.begin(), errors.end(), [](const auto& a, const auto& b) {
+    return std::tie(a.line, a.column, a.key) < std::tie(b.line, b.column, b.key);
+  });
+  return errors;
+}
+
+}  // namespace furrow::mission

@@ -1,0 +1,77 @@
+#include "mission/fleet.hpp"
+
+#include "agents/agent_node.hpp"
+#include "core/random.hpp"
+#include "core/require.hpp"
+#include "scheduler/scheduler_node.hpp"
+#include "supply/supply_node.hpp"
+
+#include <algorithm>
+
+namespace furrow::mission {
+namespace {
+
+constexpr Epoch first_epoch{1};
+
+template <class T, class Id>
+const T& with_id(const std::vector<T>& all, Id id) {
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const T& one) { return one.id == id; });
+  require(found != all.end(), "a node is made only for a member of the scenario");
+  return *found;
+}
+
+}  // namespace
+
+scheduler::FleetProblem fleet_problem(const Scenario& scenario) {
+  const Coverage& coverage = scenario.coverage;
+  return {.field = scenario.field,
+          .coverage = {.margin = coverage.margin,
+                       .straight_reward = coverage.straight_reward,
+                       .turn_reward = coverage.turn_reward,
+                       .min_region_cells = coverage.min_region_cells,
+                       .start = scenario.start},
+          .work_direction_deg = scenario.work_direction_deg,
+          .stations = scenario.stations,
+          .vehicles = scenario.uavs,
+          .solver = scenario.solver};
+}
+
+BootId first_boot(const Scenario& scenario, NodeId node) {
+  constexpr std::uint64_t purpose = 0x626f6f74;  // "boot"
+  return BootId{
+      seed_for(scenario.seed, {purpose, static_cast<std::uint64_t>(node.kind), node.number})};
+}
+
+Instant death(const Scenario& scenario, NodeId node) {
+  Instant earliest = never;
+  for (const Fault& fault : scenario.faults) {
+    const bool kills = fault.kind == Fault::Kind::agent_kill && furrow::node(fault.target) == node;
+    if (kills) earliest = std::min(earliest, fault.at);
+  }
+  return earliest;
+}
+
+AnyNode scheduler_node(const Scenario& scenario, const scheduler::FleetPlan& plan) {
+  return AnyNode{scheduler::SchedulerNode{{.plan = plan,
+                                           .epoch = first_epoch,
+                                           .agent_lease = scenario.agent_lease,
+                                           .mission_limit = scenario.mission_limit}}};
+}
+
+AnyNode supply_node(const Scenario& scenario, StationId station) {
+  std::map<AgentId, Volume> tanks;
+  for (const Vehicle& uav : scenario.uavs) tanks[uav.id] = uav.tank;
+  return AnyNode{
+      supply::SupplyNode{{.station = with_id(scenario.stations, station), .tanks = tanks}}};
+}
+
+AnyNode agent_node(const Scenario& scenario, AgentId agent, BootId boot) {
+  return AnyNode{agents::AgentNode{{.vehicle = with_id(scenario.uavs, agent),
+                                    .stations = scenario.stations,
+                                    .wind = scenario.wind,
+                                    .seed = scenario.seed,
+                                    .boot = boot}}};
+}
+
+}  // namespace furrow::mission

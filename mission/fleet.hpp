@@ -1,0 +1,26 @@
+#pragma once
+// From a scenario to the nodes that fly it: the same for the simulator and for every process.
+
+#include "core/node.hpp"
+#include "mission/scenario.hpp"
+#include "scheduler/fleet_plan.hpp"
+#include "scheduler/plan_fleet.hpp"
+
+namespace furrow::mission {
+
+/// Everything that planning depends on.
+scheduler::FleetProblem fleet_problem(const Scenario& scenario);
+
+/// The incarnation of a node that starts once: a function of the seed, as simulated time needs it.
+BootId first_boot(const Scenario& scenario, NodeId node);
+
+/// When the scenario's faults kill the node; `never` if they do not.
+Instant death(const Scenario& scenario, NodeId node);
+
+AnyNode scheduler_node(const Scenario& scenario, const scheduler::FleetPlan& plan);
+
+/// @pre The scenario has the station, or the agent.
+AnyNode supply_node(const Scenario& scenario, StationId station);
+AnyNode agent_node(const Scenario& scenario, AgentId agent, BootId boot);
+
+}  // namespace furrow::mission

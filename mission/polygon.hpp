@@ -1,0 +1,28 @@
+#pragma once
+
+#include "core/field.hpp"
+
+#include <optional>
+#include <string>
+
+namespace furrow::mission {
+
+/// The rule of simple polygons that `ring` breaks first, with the place; nothing if it is sound.
+/// Cost: O(n log n) for usual outlines, O(n^2) at worst.
+std::optional<std::string> ring_fault(const Ring& ring);
+
+/// Whether `p` lies inside `ring` and not on it.
+bool is_inside(FieldPoint p, const Ring& ring);
+
+/// Two edges of different rings that cross or touch, as text; nothing if the rings keep apart.
+std::optional<std::string> contact(const Ring& a, const Ring& b);
+
+/// Distance to the nearest point of the ring's inside or edge.
+Length distance(FieldPoint p, const Ring& ring);
+
+Area area(const Ring& ring);
+
+/// "(40, 700)": east and north in metres.
+std::string text(FieldPoint p);
+
+}  // namespace furrow::mission

@@ -1,0 +1,261 @@
+#include "mission/schema.hpp"
+
+#include "mission/checks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace furrow::mission {
+namespace {
+
+constexpr std::size_t most_uavs = 1'000, most_entries = 1'000;
+constexpr std::uint64_t most_id = 1'000'000;
+
+Coverage read_coverage(const Section& s) {
+  s.choice("model", {"grid"}, 0);
+  const Coverage c{.margin = metres(s.number("margin_m", from_to(0, 1000), 0)),
+                   .straight_reward = s.number("straight_reward", above_to(1, 1e6), 2),
+                   .turn_reward = s.number("turn_reward", above_to(1, 1e6), 3),
+                   .min_region_cells =
+                       static_cast<std::uint32_t>(s.whole("min_region_cells", 1, 1'000'000, 10))};
+  if (c.turn_reward <= c.straight_reward) {
+    const auto rule = fmt::format("must exceed straight_reward, {:.10g}", c.straight_reward);
+    s.fail(s.has("turn_reward") ? "turn_reward" : "straight_reward",
+           s.has("turn_reward")
+               ? rule
+               : fmt::format("must be less than turn_reward, {:.10g}", c.turn_reward));
+  }
+  return c;
+}
+
+void read_field(const Section& s, Scenario& out) {
+  out.field.boundary = s.ring("boundary_m");
+  out.field.holes = s.rings("holes_m");
+  out.work_direction_deg = s.optional_number("work_direction_deg", from_below(0, 360), "searched");
+  if (out.work_direction_deg && *out.work_direction_deg != 0 && *out.work_direction_deg != 90 &&
+      *out.work_direction_deg != 180 && *out.work_direction_deg != 270) {
+    s.fail("work_direction_deg", "must be one of 0, 90, 180, 270: a grid is flown along its sides");
+  }
+  out.start = s.optional_point("start_m", "chosen");
+  out.coverage = read_coverage(s.section("coverage"));
+  check_field(s, out.field);
+}
+
+std::vector<Obstacle> read_obstacles(const Section& root) {
+  std::vector<Obstacle> obstacles;
+  std::set<std::string> ids;
+  for (const auto& s : root.list("obstacles", 0, most_entries)) {
+    obstacles.push_back({.id = s.name("id"),
+                         .center = s.point("center_m"),
+                         .radius = metres(s.number("radius_m", above_to(0, 10'000)))});
+    const auto& id = obstacles.back().id;
+    if (!id.empty() && !ids.insert(id).second) s.fail("id", "must be unique among the obstacles");
+  }
+  return obstacles;
+}
+
+Station read_station(const Section& s) {
+  const Section fill = s.required_section("fill");
+  const Station station{.id = static_cast<StationId>(s.whole("id", 1, most_id)),
+                        .position = s.point("position_m"),
+                        .bays = static_cast<std::uint32_t>(s.whole("bays", 1, 100, 1)),
+                        .battery_swap = seconds(s.number("battery_swap_s", from_to(0, 86'400))),
+                        .fill_base = seconds(fill.number("base_s", from_to(0, 86'400))),
+                        .fill_full = seconds(fill.number("full_s", from_to(0, 86'400)))};
+  if (fill.has("base_s") && station.fill_base > station.fill_full) {
+    fill.fail("base_s", fmt::format("must not exceed full_s, {:.10g}", station.fill_full.base()));
+  }
+  return station;
+}
+
+void read_supply(const Section& root, Draft& draft) {
+  std::vector<std::pair<Station, Section>> found;
+  std::set<StationId> ids;
+  for (const auto& s : root.list("supply", 1, 100)) {
+    found.emplace_back(read_station(s), s);
+    if (s.has("id") && !ids.insert(found.back().first.id).second) {
+      s.fail("id", "must be unique among the stations");
+    }
+  }
+  std::stable_sort(found.begin(), found.end(),
+                   [](const auto& a, const auto& b) { return a.first.id < b.first.id; });
+  for (const auto& [station, section] : found) {
+    draft.scenario.stations.push_back(station);
+    draft.stations.push_back(section);
+  }
+}
+
+// A tank lasts for the time given, or for what its rate makes of it over the swath.
+Seconds read_spray_endurance(const Section& s, const Vehicle& v, bool has_tank) {
+  const auto given = s.optional_number("spray_endurance_s", from_to(1, 86'400),
+                                       "tank_l / (rate_l_ha swath_m spray_speed_mps)");
+  const auto rate =
+      s.optional_number("rate_l_ha", from_to(0.1, 10'000), "from tank_l and spray_endurance_s");
+  if (s.has("spray_endurance_s") && s.has("rate_l_ha")) {
+    s.fail("rate_l_ha", "must be left out where spray_endurance_s is given");
+  }
+  if (given || s.has("spray_endurance_s")) return seconds(given.value_or(1));
+  if (!s.has("rate_l_ha") || !has_tank) {
+    s.fail("spray_endurance_s", "is required, or tank_l with rate_l_ha");
+    return seconds(1);
+  }
+  const Seconds lasts = v.tank / (litres_per_hectare(rate.value_or(1)) * v.swath * v.spray_speed);
+  if (rate && (lasts < seconds(1) || lasts > seconds(86'400))) {
+    s.fail("rate_l_ha", "must let tank_l last from 1 to 86400 s of spraying",
+           fmt::format("{:.6g} s", lasts.base()));
+  }
+  return lasts;
+}
+
+Gnss read_gnss(const Section& s) {
+  return {.sigma = metres(s.number("sigma_m", from_to(0, 100), 0.02)),
+          .bias = metres(s.number("bias_m", from_to(0, 100), 0))};
+}
+
+// The id is set by the caller.
+Vehicle read_vehicle(const Section& s) {
+  Vehicle v{
+      .id = {},
+      .home = {},
+      .swath = metres(s.number("swath_m", from_to(0.1, 100))),
+      .spray_speed = metres_per_second(s.number("spray_speed_mps", from_to(0.1, 100))),
+      .ferry_speed = metres_per_second(s.number("ferry_speed_mps", from_to(0.1, 100))),
+      .spray_endurance = {},
+      .flight_endurance = seconds(s.number("flight_endurance_s", from_to(1, 86'400))),
+      .battery_reserve = s.number("battery_reserve", from_below(0, 1), 0.1),
+      .tank = litres(s.number("tank_l", from_to(0.01, 100'000), 10)),
+      .min_turn_radius = metres(s.number("min_turn_radius_m", from_to(0, 1000), 0)),
+      .acceleration_limit = metres_per_second2(s.number("acceleration_mps2", from_to(0.1, 100), 3)),
+      .gnss = read_gnss(s.section("gnss"))};
+  v.spray_endurance = read_spray_endurance(s, v, s.has("tank_l"));
+  return v;
+}
+
+void read_uavs(const Section& root, Draft& draft) {
+  std::uint64_t total = 0;
+  draft.fleets = root.list("uavs", 1, most_entries);
+  for (std::size_t i = 0; i < draft.fleets.size(); ++i) {
+    const Section& s = draft.fleets[i];
+    const auto count = s.whole("count", 1, most_uavs, 1);
+    const auto start = s.optional_point("start_m", "the nearest station's position");
+    Vehicle v = read_vehicle(s);
+    v.home = start.value_or(FieldPoint{});
+    draft.has_start.push_back(start.has_value());
+    for (total += count; draft.scenario.uavs.size() < std::min(total, most_uavs);) {
+      v.id = static_cast<AgentId>(draft.scenario.uavs.size() + 1);
+      draft.scenario.uavs.push_back(v);
+      draft.fleet_of.push_back(i);
+    }
+  }
+  if (total > most_uavs) {
+    root.fail("uavs", fmt::format("must be at most {} UAVs in all", most_uavs),
+              fmt::format("{}", total));
+  }
+}
+
+Wind read_wind(const Section& s) {
+  return {.mean = metres_per_second(s.number("mean_mps", from_to(0, 50), 0)),
+          .from_deg = s.number("from_deg", from_below(0, 360), 0),
+          .gust = metres_per_second(s.number("gust_mps", from_to(0, 50), 0))};
+}
+
+planner::SolveSettings read_solver(const Section& s, std::uint64_t seed) {
+  using enum planner::ReturnStrategy;
+  const auto choice =
+      s.choice("returns", {name(unplanned), name(simple), name(gsa), name(exact)}, std::size_t{2});
+  const planner::SolveSettings settings{
+      .returns = static_cast<planner::ReturnStrategy>(choice),
+      .refine = s.flag("refine", true),
+      .paper_counting = s.flag("paper_counting", false),
+      .iterations = static_cast<std::uint32_t>(s.whole("iterations", 1, 1'000'000, 300)),
+      .masses = static_cast<std::uint32_t>(s.whole("agents", 2, 100'000, 50)),
+      .budget_s = s.number("budget_s", above_to(0, 3600), 10),
+      .seed = seed};
+  if (settings.paper_counting && settings.returns != unplanned) {
+    s.fail("paper_counting", "must be false unless returns is unplanned");
+  }
+  return settings;
+}
+
+Link read_link(const Section& s) {
+  return {.latency = duration(seconds(s.number("latency_s", from_to(0.001, 10), 0.05))),
+          .jitter = duration(seconds(s.number("jitter_s", from_to(0, 10), 0))),
+          .loss = s.number("loss", from_below(0, 1), 0),
+          .duplication = s.number("duplicate", from_below(0, 1), 0)};
+}
+
+void read_faults(const Section& root, Draft& draft) {
+  std::vector<std::pair<Fault, Section>> found;
+  for (const auto& s : root.list("faults", 0, most_entries)) {
+    const auto at = s.number("at_s", from_to(0, 10'000'000));
+    s.choice("kind", {"agent_kill"});
+    const auto target = static_cast<AgentId>(s.whole("target", 1, most_uavs));
+    found.emplace_back(
+        Fault{.at = instant(seconds(at)), .kind = Fault::Kind::agent_kill, .target = target}, s);
+  }
+  std::stable_sort(found.begin(), found.end(),
+                   [](const auto& a, const auto& b) { return a.first.at < b.first.at; });
+  for (const auto& [fault, section] : found) {
+    draft.scenario.faults.push_back(fault);
+    draft.faults.push_back(section);
+  }
+}
+
+std::vector<Expectation> read_expectations(const Section& s) {
+  std::vector<Expectation> expectations;
+  if (const auto completed = s.optional_flag("completed", "not expected")) {
+    const double value = *completed ? 1 : 0;
+    expectations.push_back({"completed", value, value});
+  }
+  for (const char* key :
+       {"missed_m2", "covered_m2", "repeated_m2", "outside_m2", "makespan_s", "gap", "non_spray_s",
+        "queue_wait_s", "route_m", "ferry_m", "flown_outside_m", "cross_track_rms_m"}) {
+    const Section figure = s.section(key);
+    const Expectation e{.key = key,
+                        .min = figure.optional_number("min", from_to(0, 1e12), "no limit"),
+                        .max = figure.optional_number("max", from_to(0, 1e12), "no limit")};
+    if (e.min && e.max && *e.min > *e.max) {
+      figure.fail("min", fmt::format("must not exceed max, {:.10g}", *e.max));
+    }
+    if (e.min || e.max) expectations.push_back(e);
+  }
+  return expectations;
+}
+
+void read_limits(const Section& s, Scenario& out) {
+  out.agent_lease = duration(seconds(s.number("agent_lease_s", above_to(1, 3600), 3)));
+  out.mission_limit = duration(seconds(s.number("mission_s", from_to(1, 10'000'000), 86'400)));
+}
+
+// Whether reading a part finds nothing wrong with it.
+template <class Read>
+bool in_order(const Section& root, Read read) {
+  const auto before = root.findings().count();
+  read();
+  return root.findings().count() == before;
+}
+
+}  // namespace
+
+Draft read_scenario(const Section& root) {
+  Draft draft{};
+  Scenario& s = draft.scenario;
+  root.whole("version", 1, 1);
+  s.name = root.name("name");
+  s.seed = root.whole("seed", 0, UINT64_MAX, 1);
+  draft.field_in_order = in_order(root, [&] { read_field(root.required_section("field"), s); });
+  s.field.obstacles = read_obstacles(root);
+  draft.supply_in_order = in_order(root, [&] { read_supply(root, draft); });
+  draft.fleet_in_order = in_order(root, [&] { read_uavs(root, draft); });
+  s.wind = read_wind(root.section("wind"));
+  s.solver = read_solver(root.section("solver"), s.seed);
+  s.link = read_link(root.section("link"));
+  read_limits(root.section("limits"), s);
+  draft.faults_in_order = in_order(root, [&] { read_faults(root, draft); });
+  s.expectations = read_expectations(root.section("expect"));
+  return draft;
+}
+
+}  // namespace furrow::mission

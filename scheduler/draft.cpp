@@ -1,0 +1,98 @@
+#include "scheduler/draft.hpp"
+
+#include "core/require.hpp"
+#include "planner/returns/evaluate.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+
+namespace furrow::scheduler {
+namespace {
+
+constexpr int rounds = 4;
+
+/// Everything a draft is made of; the rounds share it.
+struct Desk {
+  const planner::Route& route;
+  const RouteLengths& lengths;
+  std::span<const Vehicle> vehicles;
+  std::span<const Station> stations;
+  std::vector<std::vector<Pace>> paces;
+};
+
+/// The share flown with the return points that are best without battery and queue.
+Itinerary rough_itinerary(const Desk& desk, std::size_t uav, const Share& share) {
+  const Vehicle& vehicle = desk.vehicles[uav];
+  if (share.strips.count == 0) return itinerary(vehicle.id, share.station, {});
+  GrowingShare growing{desk.route, desk.lengths, desk.paces[uav][share.station],
+                       share.strips.first};
+  for (std::uint32_t s = 0; s < share.strips.count; ++s) growing.grow();
+  const std::uint32_t first = desk.route.strips[share.strips.first].cells.first;
+  const std::uint32_t stop = end(desk.route.strips[end(share.strips) - 1].cells);
+  const auto problem = planner::return_problem(desk.route, {first, stop - first}, vehicle,
+                                               desk.stations[share.station]);
+  return itinerary(vehicle.id, share.station, planner::evaluated(problem, growing.returns()));
+}
+
+/// What a draft is judged by: the makespan, then the sum of all finishes, queues included.
+std::tuple<double, double> worth(const Forecast& f) {
+  return {f.makespan_s, std::accumulate(f.spray_ends_s.begin(), f.spray_ends_s.end(), 0.0)};
+}
+
+/// Changes stations, aircraft by aircraft, where the forecast gains by it.
+Draft with_best_stations(const Desk& desk, std::vector<Share> shares) {
+  std::vector<Itinerary> itineraries;
+  for (std::size_t u = 0; u < shares.size(); ++u) {
+    itineraries.push_back(rough_itinerary(desk, u, shares[u]));
+  }
+  Forecast best = forecast(itineraries, desk.stations);
+  for (std::size_t u = 0; u < shares.size(); ++u) {
+    for (std::uint32_t s = 0; s < desk.stations.size(); ++s) {
+      if (s == shares[u].station || shares[u].strips.count == 0) continue;
+      Share moved = shares[u];
+      moved.station = s;
+      Itinerary other = rough_itinerary(desk, u, moved);
+      std::swap(itineraries[u], other);
+      Forecast changed = forecast(itineraries, desk.stations);
+      if (worth(changed) < worth(best)) {
+        best = std::move(changed);
+        shares[u] = moved;
+      } else {
+        std::swap(itineraries[u], other);
+      }
+    }
+  }
+  return {std::move(shares), std::move(best)};
+}
+
+}  // namespace
+
+Draft draft(const planner::Route& route, const RouteLengths& lengths,
+            std::span<const Vehicle> vehicles, std::span<const Station> stations) {
+  require(!vehicles.empty() && !stations.empty(), "a fleet has aircraft and stations");
+  Desk desk{route, lengths, vehicles, stations, {}};
+  for (const Vehicle& v : vehicles) {
+    auto& by_station = desk.paces.emplace_back();
+    for (std::size_t s = 0; s < stations.size(); ++s) {
+      by_station.push_back(pace(route, v, stations[s], lengths.home_m[s]));
+    }
+  }
+  PartitionProblem problem{route, lengths, desk.paces, std::vector(vehicles.size(), 1.0)};
+  Draft best;
+  for (int round = 0; round < rounds; ++round) {
+    const std::vector<Share> shares = partition(problem);
+    Draft drafted = with_best_stations(desk, shares);
+    for (std::size_t u = 0; u < shares.size(); ++u) {
+      if (shares[u].finish_s <= 0.0) continue;  // nothing to spray, or one cell at home
+      // Half way, since waits move with the cut that they are measured at.
+      const double seen =
+          problem.stretch[u] * drafted.forecast.spray_ends_s[u] / shares[u].finish_s;
+      problem.stretch[u] = 0.5 * (problem.stretch[u] + seen);
+    }
+    if (round == 0 || worth(drafted.forecast) < worth(best.forecast)) best = std::move(drafted);
+  }
+  return best;
+}
+
+}  // namespace furrow::scheduler

@@ -1,0 +1,144 @@
+#include "scheduler/fleet_returns.hpp"
+
+#include "core/random.hpp"
+#include "planner/returns/simple.hpp"
+#include "planner/returns/unplanned.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+
+namespace furrow::scheduler {
+namespace {
+
+using planner::PlanError;
+using planner::ReturnPlan;
+using planner::ReturnProblem;
+using planner::Solution;
+
+constexpr std::uint32_t rounds = 2;
+
+std::tuple<double, double> worth(const Forecast& f) {
+  return {f.makespan_s, std::accumulate(f.spray_ends_s.begin(), f.spray_ends_s.end(), 0.0)};
+}
+
+/// The search for a fleet's return points: what is flown now, and the best seen so far.
+class Search {
+ public:
+  Search(const std::vector<FleetTask>& tasks, std::span<const Station> stations,
+         const planner::SolveSettings& settings)
+      : tasks_{tasks}, stations_{stations}, settings_{settings} {
+    for (const FleetTask& t : tasks) flying_ += t.problem ? 1 : 0;
+  }
+
+  /// Every aircraft as if it were alone.
+  std::optional<PlanError> solve_alone() {
+    for (const FleetTask& task : tasks_) {
+      Solution& solution = current_.emplace_back();
+      if (!task.problem) continue;
+      auto solved = planner::solve(*task.problem, settings_for(task.agent, 0));
+      if (!solved) return solved.error();
+      solution = std::move(*solved);
+    }
+    best_ = {current_, forecast_of(current_)};
+    return std::nullopt;
+  }
+
+  /// Looks at the fleet with every aircraft on the plan that `planned` makes.
+  template <class Planned>
+  void consider_all(Planned planned) {
+    std::vector<Solution> solutions = current_;
+    for (std::size_t u = 0; u < tasks_.size(); ++u) {
+      if (!tasks_[u].problem) continue;
+      const auto plan = planned(*tasks_[u].problem);
+      if (!plan) return;
+      solutions[u].plan = *plan;
+      solutions[u].objective_s = plan->non_spray_s;
+      solutions[u].proven = plan->non_spray_s <= solutions[u].lower_bound_s;
+    }
+    consider(solutions);
+  }
+
+  /// Lets every aircraft in turn answer what the others do.
+  void respond(std::uint32_t round) {
+    for (std::size_t u = 0; u < tasks_.size(); ++u) {
+      if (tasks_[u].problem) respond(u, round);
+    }
+  }
+
+  std::size_t flying() const { return flying_; }
+  FleetReturns best() && { return std::move(best_); }
+
+ private:
+  planner::SolveSettings settings_for(AgentId agent, std::uint32_t round) const {
+    planner::SolveSettings s = settings_;
+    if (flying_ <= 1) return s;
+    const std::size_t times = s.returns == planner::ReturnStrategy::gsa ? 1 + rounds : 1;
+    s.seed = seed_for(s.seed, {number(agent), round});
+    s.budget_s /= static_cast<double>(flying_ * times);
+    return s;
+  }
+
+  std::vector<Itinerary> itineraries(const std::vector<Solution>& solutions) const {
+    std::vector<Itinerary> all;
+    for (std::size_t u = 0; u < tasks_.size(); ++u) {
+      all.push_back(itinerary(tasks_[u].agent, tasks_[u].station, solutions[u].plan));
+    }
+    return all;
+  }
+
+  Forecast forecast_of(const std::vector<Solution>& solutions) const {
+    return forecast(itineraries(solutions), stations_);
+  }
+
+  void consider(const std::vector<Solution>& solutions) {
+    Forecast seen = forecast_of(solutions);
+    if (worth(seen) < worth(best_.forecast)) best_ = {solutions, std::move(seen)};
+  }
+
+  void respond(std::size_t u, std::uint32_t round) {
+    const std::uint32_t station = tasks_[u].station;
+    std::vector<Itinerary> here;
+    std::size_t index = 0;
+    for (Itinerary& it : itineraries(current_)) {
+      if (it.station != station) continue;
+      if (it.agent == tasks_[u].agent) index = here.size();
+      here.push_back(std::move(it));
+    }
+    QueueClock clock{stations_[station].bays, std::move(here)};
+    const double without_s = clock.queue_wait_without_s(index);
+    const auto added_wait_s = [&](const ReturnPlan& plan) {
+      return clock.queue_wait_s(index, plan) - without_s;
+    };
+    const double now_s = current_[u].plan.non_spray_s + added_wait_s(current_[u].plan);
+    auto answer =
+        planner::solve(*tasks_[u].problem, settings_for(tasks_[u].agent, round), added_wait_s);
+    if (!answer || answer->objective_s >= now_s) return;
+    current_[u] = std::move(*answer);
+    consider(current_);
+  }
+
+  const std::vector<FleetTask>& tasks_;
+  std::span<const Station> stations_;
+  planner::SolveSettings settings_;
+  std::size_t flying_ = 0;
+  std::vector<Solution> current_{};
+  FleetReturns best_{};
+};
+
+}  // namespace
+
+Expected<FleetReturns, PlanError> fleet_returns(const std::vector<FleetTask>& tasks,
+                                                std::span<const Station> stations,
+                                                const planner::SolveSettings& settings) {
+  Search search{tasks, stations, settings};
+  if (auto error = search.solve_alone()) return Unexpected{std::move(*error)};
+  if (settings.returns == planner::ReturnStrategy::gsa && search.flying() > 1) {
+    search.consider_all([](const ReturnProblem& p) { return planner::unplanned_plan(p); });
+    search.consider_all([](const ReturnProblem& p) { return planner::simple_plan(p); });
+    for (std::uint32_t round = 1; round <= rounds; ++round) search.respond(round);
+  }
+  return std::move(search).best();
+}
+
+}  // namespace furrow::scheduler

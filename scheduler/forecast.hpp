@@ -1,0 +1,59 @@
+#pragma once
+// What waiting at the stations makes of the aircraft's plans.
+
+#include "scheduler/fleet_plan.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace furrow::scheduler {
+
+/// The times of one aircraft's plan that a queue cannot change, in seconds.
+struct Itinerary {
+  AgentId agent;
+  std::uint32_t station;  ///< Index into the fleet's stations.
+  /// One entry per return: the flight that ends with it, and the time in the bay after it.
+  std::vector<double> flights_s, services_s;
+  double last_spray_s;  ///< From the last leaving of the station to the last sprayed cell.
+  double last_home_s;   ///< From there to the station.
+  bool flies;           ///< False for an empty share.
+};
+
+Itinerary itinerary(AgentId agent, std::uint32_t station, const planner::ReturnPlan& plan);
+
+/// How a fleet's mission is expected to go.
+struct Forecast {
+  std::vector<std::vector<Visit>> visits;     ///< By itinerary, one per return.
+  std::vector<double> spray_ends_s, lands_s;  ///< By itinerary; 0 for those that do not fly.
+  double makespan_s = 0.0;                    ///< When the last cell is sprayed.
+  double queue_wait_s = 0.0;                  ///< Sum over all visits.
+};
+
+/// Flies all itineraries from mission time 0. Each station serves first come first served, those
+/// who come at the same instant by agent id, in the lowest free bay.
+///
+/// Time O(visits * (itineraries + bays)).
+Forecast forecast(std::span<const Itinerary> itineraries, std::span<const Station> stations);
+
+/// The same for the aircraft of one station, without keeping the visits: for the inside of an
+/// optimisation, where it is asked for a hundred thousand times.
+class QueueClock {
+ public:
+  QueueClock(std::uint32_t bays, std::vector<Itinerary> itineraries);
+
+  /// Total wait at the station when itinerary `index` flies `plan` in place of its own.
+  double queue_wait_s(std::size_t index, const planner::ReturnPlan& plan);
+
+  /// Total wait of the others when itinerary `index` stays on the ground.
+  double queue_wait_without_s(std::size_t index);
+
+ private:
+  double run();
+
+  std::vector<Itinerary> itineraries_;  ///< In order of agent id.
+  std::vector<double> arrives_s_, free_s_;
+  std::vector<std::size_t> next_;
+};
+
+}  // namespace furrow::scheduler

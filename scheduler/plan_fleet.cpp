@@ -1,0 +1,134 @@
+#include "scheduler/plan_fleet.hpp"
+
+#include "core/require.hpp"
+#include "scheduler/draft.hpp"
+#include "scheduler/fleet_returns.hpp"
+#include "scheduler/lower_bound.hpp"
+
+#include <algorithm>
+#include <string>
+
+namespace furrow::scheduler {
+namespace {
+
+using planner::PlanError;
+using planner::PlanFault;
+
+/// A covered field with its shares.
+struct Sketch {
+  planner::Route route;
+  RouteLengths lengths;
+  Draft draft;
+  double work_direction_deg;
+};
+
+std::optional<PlanError> fleet_fault(const std::vector<Vehicle>& vehicles) {
+  const Vehicle& first = vehicles.front();
+  for (const Vehicle& v : vehicles) {
+    const std::string who = "UAV " + std::to_string(number(v.id));
+    if (v.swath != first.swath) {
+      return PlanError{PlanFault::swaths_differ, who + " sprays " + std::to_string(v.swath.base()) +
+                                                     " m, UAV " + std::to_string(number(first.id)) +
+                                                     " " + std::to_string(first.swath.base()) +
+                                                     " m"};
+    }
+    if (tank_range(v) < v.swath) {
+      return PlanError{PlanFault::tank_too_small,
+                       who + ": a tank lasts for " + std::to_string(tank_range(v).base()) +
+                           " m, a cell takes " + std::to_string(v.swath.base()) + " m"};
+    }
+  }
+  return std::nullopt;
+}
+
+Expected<Sketch, PlanError> sketch(const FleetProblem& problem, double work_direction_deg) {
+  planner::CoverageSettings coverage = problem.coverage;
+  coverage.work_direction_deg = work_direction_deg;
+  if (!coverage.start && !coverage.near) coverage.near = problem.vehicles.front().home;
+  auto route = planner::coverage_route(problem.field, problem.vehicles.front().swath, coverage);
+  if (!route) return Unexpected{route.error()};
+  RouteLengths lengths = route_lengths(*route, problem.stations);
+  Draft drafted = draft(*route, lengths, problem.vehicles, problem.stations);
+  return Sketch{std::move(*route), std::move(lengths), std::move(drafted), work_direction_deg};
+}
+
+/// The sketch of the work direction asked for, or of the best.
+Expected<Sketch, PlanError> best_sketch(const FleetProblem& problem) {
+  if (problem.work_direction_deg) return sketch(problem, *problem.work_direction_deg);
+  auto best = sketch(problem, 0.0);
+  for (const double direction_deg : {90.0, 180.0, 270.0}) {
+    auto other = sketch(problem, direction_deg);
+    if (!other) continue;
+    const bool is_better =
+        !best || other->draft.forecast.makespan_s < best->draft.forecast.makespan_s;
+    if (is_better) best = std::move(other);
+  }
+  return best;
+}
+
+CellRange cells_of(const planner::Route& route, CellRange strips) {
+  if (strips.count == 0) return {0, 0};
+  const std::uint32_t first = route.strips[strips.first].cells.first;
+  return {first, end(route.strips[end(strips) - 1].cells) - first};
+}
+
+std::vector<FleetTask> tasks(const FleetProblem& problem, const Sketch& s) {
+  std::vector<FleetTask> all;
+  for (std::size_t u = 0; u < problem.vehicles.size(); ++u) {
+    const Vehicle& vehicle = problem.vehicles[u];
+    const Share& share = s.draft.shares[u];
+    FleetTask task{.agent = vehicle.id, .station = share.station, .problem = {}};
+    if (share.strips.count > 0) {
+      task.problem = planner::return_problem(s.route, cells_of(s.route, share.strips), vehicle,
+                                             problem.stations[share.station]);
+    }
+    all.push_back(std::move(task));
+  }
+  return all;
+}
+
+/// Never above the makespan. An aircraft alone with one station has its solver's tighter bound.
+double lower_bound_s(const FleetProblem& problem, const Sketch& s,
+                     const std::vector<FleetTask>& all, const FleetReturns& returns) {
+  double bound_s = makespan_bound_s(s.route, s.lengths, problem.vehicles, problem.stations);
+  if (all.size() == 1 && problem.stations.size() == 1) {
+    const planner::ReturnProblem& only = *all[0].problem;
+    bound_s = std::max(bound_s, only.fly_out_m / only.vehicle.ferry_speed.base() +
+                                    only.on_route_s.back() + returns.solutions[0].lower_bound_s);
+  }
+  return std::min(bound_s, returns.forecast.makespan_s);
+}
+
+}  // namespace
+
+Expected<FleetPlan, PlanError> plan_fleet(const FleetProblem& problem) {
+  require(!problem.vehicles.empty() && !problem.stations.empty(),
+          "a fleet has aircraft and stations");
+  if (auto fault = fleet_fault(problem.vehicles)) return Unexpected{std::move(*fault)};
+  auto sketched = best_sketch(problem);
+  if (!sketched) return Unexpected{sketched.error()};
+  Sketch& s = *sketched;
+  const std::vector<FleetTask> all = tasks(problem, s);
+  auto returns = fleet_returns(all, problem.stations, problem.solver);
+  if (!returns) return Unexpected{returns.error()};
+
+  FleetPlan plan{.route = {},
+                 .work_direction_deg = s.work_direction_deg,
+                 .uavs = {},
+                 .makespan_s = returns->forecast.makespan_s,
+                 .lower_bound_s = lower_bound_s(problem, s, all, *returns)};
+  for (std::size_t u = 0; u < all.size(); ++u) {
+    plan.uavs.push_back({.vehicle = problem.vehicles[u],
+                         .station = problem.stations[all[u].station],
+                         .strips = s.draft.shares[u].strips,
+                         .cells = cells_of(s.route, s.draft.shares[u].strips),
+                         .solution = std::move(returns->solutions[u]),
+                         .visits = std::move(returns->forecast.visits[u]),
+                         .spray_ends_s = returns->forecast.spray_ends_s[u],
+                         .lands_s = returns->forecast.lands_s[u]});
+  }
+  plan.route = std::move(s.route);
+  return plan;
+}
+
+}  // namespace furrow::scheduler

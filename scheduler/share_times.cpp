@@ -1,0 +1,138 @@
+#include "scheduler/share_times.hpp"
+
+#include "core/require.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace furrow::scheduler {
+namespace {
+
+// As the planner's limits: a sum that meets the tank exactly must not fail it by rounding.
+constexpr double widened = 1.0 + 1e-9;
+constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+double fill_s_per_m(const Vehicle& vehicle, const Station& station) {
+  return (station.fill_full - station.fill_base).base() / tank_range(vehicle).base();
+}
+
+}  // namespace
+
+RouteLengths route_lengths(const planner::Route& route, std::span<const Station> stations) {
+  RouteLengths lengths;
+  double moves = 0.0, ferry_m = 0.0;  // moves are counted, so that sums do not drift
+  for (const planner::Strip& strip : route.strips) {
+    for (std::uint32_t c = strip.cells.first; c < end(strip.cells); ++c) {
+      const bool jumps = c == strip.cells.first && !strip.continues;
+      if (c > 0 && jumps) ferry_m += distance(route.centers[c - 1], route.centers[c]).base();
+      if (c > 0 && !jumps) moves += 1.0;
+      lengths.spray_m.push_back(moves * route.cell.base());
+      lengths.ferry_m.push_back(ferry_m);
+    }
+  }
+  lengths.nearest_m.assign(route.centers.size(), std::numeric_limits<double>::infinity());
+  for (const Station& station : stations) {
+    std::vector<double>& home_m = lengths.home_m.emplace_back();
+    for (std::size_t c = 0; c < route.centers.size(); ++c) {
+      home_m.push_back(distance(route.centers[c], station.position).base());
+      lengths.nearest_m[c] = std::min(lengths.nearest_m[c], home_m[c]);
+    }
+  }
+  return lengths;
+}
+
+Pace pace(const planner::Route& route, const Vehicle& vehicle, const Station& station,
+          std::span<const double> home_m) {
+  Pace p{.spray_mps = vehicle.spray_speed.base(),
+         .ferry_mps = vehicle.ferry_speed.base(),
+         .tank_m = widened * tank_range(vehicle).base(),
+         .fill_base_s = station.fill_base.base(),
+         .fill_s_per_m = fill_s_per_m(vehicle, station),
+         .home_m = home_m,
+         .out_s = {}};
+  for (const planner::Strip& strip : route.strips) {
+    p.out_s.push_back((distance(vehicle.home, strip.from) / vehicle.ferry_speed).base());
+  }
+  return p;
+}
+
+Pace fastest_pace(const planner::Route& route, std::span<const Vehicle> vehicles,
+                  std::span<const Station> stations, std::span<const double> nearest_m) {
+  require(!vehicles.empty() && !stations.empty(), "a fleet has aircraft and stations");
+  Pace best = pace(route, vehicles[0], stations[0], nearest_m);
+  best.out_s.assign(route.strips.size(), std::numeric_limits<double>::infinity());
+  for (const Vehicle& v : vehicles) {
+    best.spray_mps = std::max(best.spray_mps, v.spray_speed.base());
+    best.ferry_mps = std::max({best.ferry_mps, v.ferry_speed.base(), best.spray_mps});
+    best.tank_m = std::max(best.tank_m, widened * tank_range(v).base());
+    for (const Station& s : stations) {
+      best.fill_base_s = std::min(best.fill_base_s, s.fill_base.base());
+      best.fill_s_per_m = std::min(best.fill_s_per_m, fill_s_per_m(v, s));
+    }
+  }
+  for (std::size_t i = 0; i < route.strips.size(); ++i) {
+    const auto closer = [&](FieldPoint from) {
+      const double out_s = distance(from, route.strips[i].from).base() / best.ferry_mps;
+      best.out_s[i] = std::min(best.out_s[i], out_s);
+    };
+    for (const Vehicle& v : vehicles) closer(v.home);
+    for (const Station& s : stations) closer(s.position);
+  }
+  return best;
+}
+
+GrowingShare::GrowingShare(const planner::Route& route, const RouteLengths& lengths,
+                           const Pace& pace, std::uint32_t first)
+    : route_{route},
+      lengths_{lengths},
+      pace_{pace},
+      first_cell_{0},
+      next_strip_{first},
+      base_s_{0} {
+  if (!can_grow()) return;
+  first_cell_ = route.strips[first].cells.first;
+  base_s_ = pace.out_s[first] - lengths.spray_m[first_cell_] / pace.spray_mps -
+            lengths.ferry_m[first_cell_] / pace.ferry_mps;
+}
+
+bool GrowingShare::can_grow() const { return next_strip_ < route_.strips.size(); }
+
+double GrowingShare::grow() {
+  require(can_grow(), "a share grows within its route");
+  const CellRange cells = route_.strips[next_strip_++].cells;
+  const double first_m = lengths_.spray_m[first_cell_];
+  double sprayed_s = 0.0;
+  for (std::uint32_t c = cells.first; c < end(cells); ++c) {
+    const double at_m = lengths_.spray_m[c];
+    const double route_s = at_m / pace_.spray_mps + lengths_.ferry_m[c] / pace_.ferry_mps;
+    while (head_ < window_.size() && at_m - lengths_.spray_m[window_[head_].cell] > pace_.tank_m) {
+      ++head_;
+    }
+    const double first_sortie_s = at_m - first_m <= pace_.tank_m
+                                      ? base_s_ + route_s
+                                      : std::numeric_limits<double>::infinity();
+    const double refilled_s = head_ < window_.size()
+                                  ? window_[head_].key_s + route_s + pace_.fill_s_per_m * at_m
+                                  : std::numeric_limits<double>::infinity();
+    sprayed_s = std::min(first_sortie_s, refilled_s);
+    parents_.push_back(refilled_s < first_sortie_s ? window_[head_].cell : none);
+    // What a later cell pays when the return before it is made here, its own terms left out.
+    const double key_s = sprayed_s - route_s + 2.0 * pace_.home_m[c] / pace_.ferry_mps +
+                         pace_.fill_base_s - pace_.fill_s_per_m * at_m;
+    while (window_.size() > head_ && window_.back().key_s >= key_s) window_.pop_back();
+    window_.push_back({c, key_s});
+  }
+  return sprayed_s;
+}
+
+planner::Returns GrowingShare::returns() const {
+  planner::Returns returns;
+  if (parents_.empty()) return returns;
+  for (std::uint32_t c = parents_.back(); c != none; c = parents_[c - first_cell_]) {
+    returns.push_back(c - first_cell_);
+  }
+  std::reverse(returns.begin(), returns.end());
+  return returns;
+}
+
+}  // namespace furrow::scheduler

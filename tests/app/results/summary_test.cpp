@@ -1,0 +1,109 @@
+#include "app/results/summary.hpp"
+
+#include "app/results/expectations.hpp"
+#include "tests/app/results/small_mission.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace furrow::app {
+namespace {
+
+TEST_CASE("summary: a plan's figures are its forecasts", "[app]") {
+  const Result r = summary(small_plan());
+
+  CHECK(r.completed);
+  CHECK(r.field.area_m2 == 48.0);         // 6 * 8
+  CHECK(r.field.strip_length_m == 18.0);  // 3 strips of 6 m between end centres
+  CHECK(r.field.cells == 12);
+  CHECK(r.coverage.covered_m2 == 48.0);
+  CHECK(r.coverage.missed_m2 == 0.0);
+  CHECK(r.fleet.makespan_s == Approx(74 + 7.615773105863909));
+  CHECK(r.fleet.gap == Approx(81.615773105863909 / 80 - 1));
+  CHECK(r.fleet.spray_s == 20.0);  // 8 + 6 + 6
+  CHECK(r.fleet.route_m == 20.0);
+  // Ferries: 7.615773 home and out again, sqrt(10) home, sqrt(74) home.
+  CHECK(r.fleet.ferry_m == Approx(2 * 7.615773105863909 + 3.1622776601683795 + 8.602325267042627));
+  CHECK(r.solver.non_spray_s == Approx(67.615773105863909));
+  CHECK(r.solver.optimum_s == r.solver.non_spray_s);
+  CHECK(r.solver.gap == 0.0);
+  CHECK(r.solver.fill_s == 44.0);
+
+  REQUIRE(r.uavs[0].sorties.size() == 2);
+  const SortieFigures& out = r.uavs[0].sorties[0];
+  CHECK(out.round_trip_m == Approx(2 * 7.615773105863909));
+  CHECK(out.fill == Approx(0.6));  // 6 m of the 10 m that a tank lasts
+  CHECK(out.bay == 1);
+  CHECK(r.uavs[0].sorties[1].began_s == Approx(out.ready_s));
+  CHECK(r.uavs[0].sorties[1].round_trip_m == 0.0);
+  CHECK(r.stations[0].swaps == 1);
+  CHECK(r.stations[0].filled_l == Approx(3.0));  // 0.6 of 5 L
+  CHECK(r.stations[0].bays[0].busy_s == Approx(60.0));
+  REQUIRE(r.batteries.size() == 3);
+  CHECK(r.batteries[1].used == 0.114);
+}
+
+TEST_CASE("summary: what was flown counts by closed grants, once each", "[app]") {
+  const Result r = summary(small_flight());
+
+  CHECK_FALSE(r.completed);
+  CHECK(r.coverage.covered_m2 == 44.0);   // 11 cells of 4 m2
+  CHECK(r.coverage.missed_m2 == 4.0);     // cell 11 has no proof
+  CHECK(r.coverage.uncertain_m2 == 4.0);  // yet was passed with the valve open
+  CHECK(r.coverage.abandoned_m2 == 4.0);
+  CHECK(r.coverage.repeated_m2 == 0.0);
+  CHECK(r.fleet.makespan_s == 85.0);
+  CHECK(r.fleet.spray_s == 20.0);  // 6 + 8 + 6 with the valve open
+  // UAV 1: home 8 to 12, waits 3, in the bay 60, takes off at 75 and sprays from 79.
+  CHECK(r.uavs[0].non_spray_s == 4 + 3 + 60 + 4);
+  CHECK(r.fleet.queue_wait_s == 3.0);
+  // UAV 2 never reported its sortie; its valve closed at 6 s.
+  CHECK(r.uavs[1].sorties.empty());
+  CHECK(r.uavs[1].spray_ended_s == 6.0);
+  CHECK(r.real_time_factor == 44.0);  // 88 s in 2 s
+  // The swath of UAV 2 reaches 0.5 m over the eastern edge on 8 m.
+  CHECK(r.coverage.outside_m2 == Approx(4.0));
+  // sqrt((1.0 + 0) / 12) over 4 + 5 + 3 samples.
+  CHECK(r.deviation.truth.rms_m == Approx(0.28867513459481287));
+  CHECK(r.deviation.truth.max_m == 0.5);
+  CHECK(r.uavs[1].deviation.fix.rms_m == Approx(0.1));
+}
+
+TEST_CASE("summary: an empty log of a flight is no error", "[app]") {
+  MissionRecord record = small_flight();
+  record.log.clear();
+  const Result r = summary(record);
+
+  CHECK_FALSE(r.completed);
+  CHECK(r.coverage.missed_m2 == 48.0);
+  CHECK(r.fleet.makespan_s == 0.0);
+  CHECK(r.log.digest == "cbf29ce484222325");  // FNV-1a of nothing
+}
+
+TEST_CASE("summary: boots do not change the digest, and every other field does", "[app]") {
+  MissionRecord record = small_flight();
+  const std::string before = summary(record).log.digest;
+  std::get<WorkReport>(record.log[0].body).boot = BootId{99};
+  CHECK(summary(record).log.digest == before);
+  std::get<WorkReport>(record.log[0].body).closures[0].sprayed = 2;
+  CHECK(summary(record).log.digest != before);
+}
+
+TEST_CASE("summary: an expectation is met within its bounds and missed outside", "[app]") {
+  MissionRecord record = small_plan();
+  record.scenario.expectations = {{"completed", 1.0, 1.0},     {"missed_m2", {}, 0.0},
+                                  {"fleet.spray_s", 20.0, {}}, {"strips", 4.0, {}},
+                                  {"covered_m2", 10.0, 47.0},  {"yield_kg", {}, 1.0}};
+  const Result r = summary(record);
+
+  REQUIRE(r.expectations.size() == 6);
+  for (const std::size_t i : {0u, 1u, 2u}) CHECK(r.expectations[i].met);
+  for (const std::size_t i : {3u, 4u, 5u}) CHECK_FALSE(r.expectations[i].met);
+  CHECK(r.expectations[3].message == "strips is 3, expected at least 4");
+  CHECK(r.expectations[4].message == "covered_m2 is 48, expected 10 to 47");
+  CHECK(r.expectations[5].message == "yield_kg: the result has no such figure");
+  CHECK_FALSE(r.expectations[5].value);
+  CHECK_FALSE(all_met(r));
+}
+
+}  // namespace
+}  // namespace furrow::app

@@ -1,0 +1,267 @@
+#!/usr/bin/env python3
+"""Runs the built programs as a user does. Usage: furrow_test.py BIN_FOLDER SOURCE_FOLDER [TEST ...]"""
+
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+BIN, ROOT = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
+GARDEN = ROOT / "tests/end_to_end/garden.yaml"
+PATIENCE_S = 120
+
+
+def furrow(*arguments):
+    return subprocess.run([BIN / "furrow", *map(str, arguments)], capture_output=True, text=True,
+                          timeout=PATIENCE_S)
+
+
+def without_timing(folder):
+    result = json.loads((pathlib.Path(folder) / "result.json").read_text())
+    result.pop("mode")
+    result.pop("timing")
+    result["solver"].pop("wall_s")
+    return json.dumps(result)
+
+
+def eventually(question, seconds):
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        if question():
+            return True
+        time.sleep(0.02)
+    return False
+
+
+def processes_in(folder):
+    """Pids whose command line names `folder`."""
+    found = {}
+    for entry in pathlib.Path("/proc").iterdir():
+        if not entry.name.isdigit():
+            continue
+        try:
+            line = (entry / "cmdline").read_bytes().decode().split("\0")
+        except OSError:
+            continue
+        if any(str(folder) in word for word in line):
+            found[int(entry.name)] = line
+    return found
+
+
+class Furrow(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        # A copy of its own: the path tells this test's processes from all others.
+        self.garden = self.scenario(GARDEN.read_text())
+
+    def scenario(self, text):
+        path = self.folder / "garden.yaml"
+        path.write_text(text)
+        return path
+
+    def out(self, name):
+        return self.folder / name
+
+    def started(self, *arguments):
+        process = subprocess.Popen([BIN / "furrow", *map(str, arguments)], text=True,
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        self.addCleanup(process.stdout.close)
+        self.addCleanup(process.stderr.close)
+        self.addCleanup(process.kill)
+        return process
+
+    def ended(self, process):
+        _, errors = process.communicate(timeout=PATIENCE_S)
+        return process.returncode, errors
+
+
+class Determinism(Furrow):
+    def test_a_plan_is_the_same_each_time(self):
+        for name in ("a", "b"):
+            done = furrow("plan", self.garden, "--quiet", "--out", self.out(name))
+            self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(without_timing(self.out("a")), without_timing(self.out("b")))
+
+    def test_sim_and_run_agree_to_the_byte_under_any_load(self):
+        done = furrow("sim", self.garden, "--quiet", "--out", self.out("sim"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        expected = without_timing(self.out("sim"))
+        for i in range(5):
+            hogs = []
+            if i == 4:
+                hogs = [subprocess.Popen([sys.executable, "-c", "while True: pass"])
+                        for _ in range(2)]
+            try:
+                done = furrow("run", self.garden, "--quiet", "--out", self.out(f"run{i}"))
+            finally:
+                for hog in hogs:
+                    hog.kill()
+                    hog.wait()
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual(expected, without_timing(self.out(f"run{i}")))
+            self.assertEqual((self.out("sim") / "events.jsonl").read_bytes(),
+                             (self.out(f"run{i}") / "events.jsonl").read_bytes())
+
+    def test_several_agents_in_a_process_change_nothing(self):
+        furrow("sim", self.garden, "--quiet", "--out", self.out("sim"))
+        done = furrow("run", self.garden, "--quiet", "--agents-per-process", 2, "--out",
+                      self.out("run"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(without_timing(self.out("sim")), without_timing(self.out("run")))
+
+    def test_a_bad_radio_changes_nothing_between_sim_and_run(self):
+        bad = self.scenario(GARDEN.read_text() +
+                            "link: {latency_s: 0.05, jitter_s: 0.3, loss: 0.1, duplicate: 0.2}\n"
+                            "limits: {agent_lease_s: 10}\n")
+        for command in ("sim", "run"):
+            done = furrow(command, bad, "--quiet", "--out", self.out(command))
+            self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(without_timing(self.out("sim")), without_timing(self.out("run")))
+
+    def test_another_seed_is_another_run(self):
+        for seed in (1, 2):
+            furrow("sim", self.garden, "--quiet", "--seed", seed, "--out", self.out(str(seed)))
+        digests = [json.loads((self.out(str(seed)) / "result.json").read_text())["log"]["digest"]
+                   for seed in (1, 2)]
+        self.assertNotEqual(*digests)
+
+
+class Deaths(Furrow):
+    def test_an_agent_that_dies_by_the_scenario_is_reported_by_sim_and_run_alike(self):
+        deadly = self.scenario(GARDEN.read_text() +
+                               "faults: [{at_s: 100, kind: agent_kill, target: 2}]\n")
+        for command in ("sim", "run"):
+            done = furrow(command, deadly, "--quiet", "--out", self.out(command))
+            self.assertEqual(done.returncode, 1, done.stderr)
+            self.assertIn("not completed", done.stderr)
+        self.assertEqual(without_timing(self.out("sim")), without_timing(self.out("run")))
+        result = json.loads((self.out("run") / "result.json").read_text())
+        self.assertLessEqual(result["faults"][0]["noticed_s"], 100 + 3 + 2)  # lease and heartbeat
+
+    def test_a_killed_agent_process_ends_as_not_completed_with_results(self):
+        process = self.started("run", self.garden, "--speed", 60, "--out", self.out("run"))
+        agents = lambda: [pid for pid, line in processes_in(self.garden).items()
+                          if "furrow-agents" in line[0]]
+        self.assertTrue(eventually(lambda: len(agents()) == 2, 20))
+        time.sleep(3)
+        os.kill(agents()[0], signal.SIGKILL)
+        code, errors = self.ended(process)
+        self.assertEqual(code, 1, errors)
+        self.assertIn("ended with code 137", errors)
+        self.assertTrue((self.out("run") / "report.html").exists())
+        self.assertEqual(processes_in(self.garden), {})
+
+    def test_a_killed_scheduler_ends_the_run_as_partial(self):
+        process = self.started("run", self.garden, "--speed", 60, "--out", self.out("run"))
+        scheduler = lambda: [pid for pid, line in processes_in(self.garden).items()
+                             if "furrow-scheduler" in line[0]]
+        self.assertTrue(eventually(scheduler, 20))
+        time.sleep(3)
+        os.kill(scheduler()[0], signal.SIGKILL)
+        code, errors = self.ended(process)
+        self.assertEqual(code, 1, errors)
+        self.assertTrue(json.loads((self.out("run") / "result.json").read_text())["partial"])
+        self.assertEqual(processes_in(self.garden), {})
+
+    def test_an_interrupt_keeps_results_and_leaves_nothing_behind(self):
+        before = set(os.listdir("/dev/shm"))
+        process = self.started("run", self.garden, "--speed", 30, "--out", self.out("run"))
+        self.assertTrue(eventually(lambda: len(processes_in(self.garden)) == 5, 20))
+        time.sleep(3)
+        process.send_signal(signal.SIGINT)
+        code, errors = self.ended(process)
+        self.assertEqual(code, 1, errors)
+        result = json.loads((self.out("run") / "result.json").read_text())
+        self.assertTrue(result["partial"])
+        self.assertEqual(processes_in(self.garden), {})
+        self.assertEqual(set(os.listdir("/dev/shm")) - before, set())
+
+    def test_when_the_director_is_killed_every_process_ends(self):
+        process = self.started("run", self.garden, "--speed", 30, "--out", self.out("run"))
+        self.assertTrue(eventually(lambda: len(processes_in(self.garden)) == 5, 20))
+        time.sleep(1)
+        process.kill()
+        process.wait()
+        self.assertTrue(eventually(lambda: not processes_in(self.garden), 10),
+                        processes_in(self.garden))
+
+
+class Paces(Furrow):
+    def test_two_runs_at_once_do_not_mix(self):
+        runs = [self.started("run", self.garden, "--quiet", "--out", self.out(str(i)))
+                for i in range(2)]
+        for process in runs:
+            code, errors = self.ended(process)
+            self.assertEqual(code, 0, errors)
+        self.assertEqual(without_timing(self.out("0")), without_timing(self.out("1")))
+
+    def test_the_wall_clock_flies_the_same_mission_in_real_time(self):
+        short = self.scenario(GARDEN.read_text().replace("[60, 80], [0, 80]", "[60, 4], [0, 4]"))
+        done = furrow("run", short, "--quiet", "--speed", "wall", "--out", self.out("wall"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        result = json.loads((self.out("wall") / "result.json").read_text())
+        self.assertEqual(result["coverage"]["missed_m2"], 0)
+
+
+class Input(Furrow):
+    def test_every_scenario_of_the_repository_is_sound(self):
+        for path in sorted((ROOT / "scenarios").glob("*.yaml")):
+            done = furrow("check", path)
+            self.assertEqual(done.returncode, 0, done.stderr)
+
+    def test_a_broken_scenario_ends_with_2_and_writes_nothing(self):
+        broken = self.scenario(GARDEN.read_text().replace("swath_m: 2", "swath_m: -2"))
+        for command in ("check", "plan", "sim", "run"):
+            with self.subTest(command):
+                done = furrow(command, broken, *(() if command == "check" else
+                                                 ("--out", self.out("none"))))
+                self.assertEqual(done.returncode, 2)
+                self.assertRegex(done.stderr, r"garden.yaml:\d+: uavs\[0\].swath_m: .*-2")
+                self.assertFalse(self.out("none").exists())
+
+    def test_a_field_that_no_aircraft_reaches_is_explained(self):
+        far = self.scenario(GARDEN.read_text().replace("[30, -5]", "[30, -5000]"))
+        done = furrow("plan", far, "--out", self.out("none"))
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("reach", done.stderr)
+        self.assertFalse(self.out("none").exists())
+
+    def test_a_missing_file_or_a_wrong_option_ends_with_2(self):
+        for arguments in (("plan", "none.yaml"), ("plan",), ("fly", self.garden), (),
+                          ("run", self.garden, "--speed", "fast"),
+                          ("run", self.garden, "--agents-per-process", 51),
+                          ("run", self.garden, "--interface", "203.0.113.1"),
+                          ("sim", self.garden, "--seed", "x")):
+            with self.subTest(arguments):
+                done = furrow(*arguments)
+                self.assertEqual(done.returncode, 2, done.stderr)
+                self.assertNotEqual(done.stderr.strip(), "")
+
+    def test_json_is_all_that_is_printed_to_stdout(self):
+        done = furrow("sim", self.garden, "--json", "--out", self.out("sim"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(done.stdout, (self.out("sim") / "result.json").read_text())
+
+    def test_an_expectation_that_is_missed_is_named(self):
+        vain = self.scenario(GARDEN.read_text().replace("missed_m2: {max: 0}",
+                                                        "makespan_s: {max: 10}"))
+        done = furrow("sim", vain, "--quiet", "--out", self.out("sim"))
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("makespan_s", done.stderr)
+
+    def test_results_that_cannot_be_written_are_explained(self):
+        (self.folder / "file").write_text("")
+        done = furrow("plan", self.garden, "--out", self.folder / "file" / "out")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn(str(self.folder / "file"), done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1] + sys.argv[3:], verbosity=2)

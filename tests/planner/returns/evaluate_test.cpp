@@ -1,0 +1,117 @@
+#include "planner/returns/evaluate.hpp"
+
+#include "planner/returns/exact.hpp"
+#include "planner/returns/simple.hpp"
+#include "planner/returns/unplanned.hpp"
+#include "tests/planner/paper_case.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace furrow::planner {
+namespace {
+
+using Catch::Matchers::Contains;
+using Catch::Matchers::WithinAbs;
+
+// Two strips of three cells with a ferry between them: (1, 1) to (1, 5), then (9, 1) to (9, 5).
+Route route_with_ferry() {
+  Route route{.cell = metres(2),
+              .centers = {at_m(1, 1), at_m(1, 3), at_m(1, 5), at_m(9, 1), at_m(9, 3), at_m(9, 5)},
+              .strips = {},
+              .missed = {}};
+  route.strips = {{{0, 3}, at_m(1, 1), at_m(1, 5), false}, {{3, 3}, at_m(9, 1), at_m(9, 5), false}};
+  return route;
+}
+
+TEST_CASE("problem: a ferry takes time and sprays nothing", "[planner]") {
+  const ReturnProblem p =
+      return_problem(route_with_ferry(), {0, 6}, paper_case::vehicle(), paper_case::station());
+
+  CHECK(p.spray_m == std::vector<double>{0, 2, 4, 4, 6, 8});
+  CHECK(p.strip_starts == std::vector<std::uint32_t>{0, 3});
+  // Four metres at 3 m/s, then hypot(8, 4) = 8.944 m at 6 m/s.
+  CHECK_THAT(p.on_route_s[3], WithinAbs(4.0 / 3.0 + 8.94427 / 6.0, 1e-5));
+  CHECK_THAT(p.home_m[3], WithinAbs(9.05539, 1e-5));  // hypot(9, 1)
+  CHECK(p.fly_out_m == 0.0);                          // it stands on the first cell
+}
+
+TEST_CASE("problem: a share begins within a strip and counts from its own first cell",
+          "[planner]") {
+  const ReturnProblem p =
+      return_problem(route_with_ferry(), {1, 3}, paper_case::vehicle(), paper_case::station());
+
+  CHECK(p.spray_m == std::vector<double>{0, 2, 2});
+  CHECK(p.strip_starts == std::vector<std::uint32_t>{0, 2});
+  CHECK_THAT(p.fly_out_m, WithinAbs(2.0, 1e-12));  // from (1, 1) to (1, 3)
+}
+
+TEST_CASE("evaluate: one return costs its round trip and the longer of filling and swapping",
+          "[planner]") {
+  Vehicle vehicle = paper_case::vehicle();
+  vehicle.spray_endurance = seconds(2);  // D_max = 6 m
+  const ReturnProblem p =
+      return_problem(route_with_ferry(), {0, 6}, vehicle, paper_case::station());
+
+  // Home from (1, 5): hypot(1, 5) = 5.099 m. The second sortie sprays 4 m of 6 m:
+  // T_p = 20 + 40 * 4 / 6 = 46.667 s.
+  const ReturnPlan kept = evaluated(p, {2});
+  CHECK(is_feasible(p, kept));
+  CHECK(kept.swaps == 0);
+  CHECK_THAT(kept.round_trips_m, WithinAbs(2 * 5.09902, 1e-4));
+  CHECK_THAT(kept.non_spray_s, WithinAbs(2 * 5.09902 / 6 + 46.66667, 1e-4));
+  CHECK(kept.sorties[1].pack == 1);
+  CHECK(kept.sorties[1].service_s == 0.0);
+
+  // First sortie: 4 / 3 + 5.099 / 6 = 2.183 s. Second: 5.099 / 6 + 8.944 / 6 + 4 / 3 +
+  // hypot(9, 5) / 6 = 5.390 s. A pack for 7.5 s does not carry both, so it is swapped: 60 s.
+  vehicle.flight_endurance = seconds(7.5);
+  const ReturnProblem tight =
+      return_problem(route_with_ferry(), {0, 6}, vehicle, paper_case::station());
+  const ReturnPlan swapped = evaluated(tight, {2});
+  CHECK(is_feasible(tight, swapped));
+  CHECK(swapped.swaps == 1);
+  CHECK(swapped.sorties[1].pack == 2);
+  CHECK_THAT(swapped.non_spray_s, WithinAbs(2 * 5.09902 / 6 + 60.0, 1e-4));
+  CHECK_THAT(swapped.sorties[1].battery_used, WithinAbs(5.390 / 7.5, 1e-3));
+}
+
+TEST_CASE("evaluate: the reserve of a pack is never planned with", "[planner]") {
+  Vehicle vehicle = paper_case::vehicle();
+  vehicle.flight_endurance = seconds(10);
+  const auto feasible = [&](double reserve) {
+    vehicle.battery_reserve = reserve;
+    const ReturnProblem p =
+        return_problem(route_with_ferry(), {0, 6}, vehicle, paper_case::station());
+    return is_feasible(p, evaluated(p, {}));
+  };
+  // All in one sortie: 8 / 3 + 8.944 / 6 + hypot(9, 5) / 6 = 5.873 s.
+  CHECK(feasible(0.41));
+  CHECK_FALSE(feasible(0.42));
+}
+
+TEST_CASE("plans: every strategy says which limit leaves no plan", "[planner]") {
+  const Route route = route_with_ferry();
+  Vehicle vehicle = paper_case::vehicle();
+  Station station = paper_case::station();
+
+  SECTION("a tank for less than a cell") {
+    vehicle.spray_endurance = seconds(0.5);  // 1.5 m of a 2 m move
+    const ReturnProblem p = return_problem(route, {0, 6}, vehicle, station);
+    CHECK(unplanned_plan(p).error().fault == PlanFault::tank_too_small);
+    CHECK(simple_plan(p).error().fault == PlanFault::tank_too_small);
+    CHECK(exact_plan(p).error().fault == PlanFault::tank_too_small);
+    CHECK(unplanned_plan(p, Counting::straight_moves).error().fault == PlanFault::tank_too_small);
+    CHECK_THAT(exact_plan(p).error().detail, Contains("UAV 1: cell 1 takes 2.0 m"));
+  }
+  SECTION("a station beyond one pack") {
+    station.position = at_m(-6000, 0);  // 1000 s one way
+    const ReturnProblem p = return_problem(route, {0, 6}, vehicle, station);
+    CHECK(unplanned_plan(p).error().fault == PlanFault::out_of_reach);
+    CHECK(simple_plan(p).error().fault == PlanFault::out_of_reach);
+    CHECK(exact_plan(p).error().fault == PlanFault::out_of_reach);
+    CHECK_THAT(exact_plan(p).error().detail, Contains("from station 1 and back"));
+  }
+}
+
+}  // namespace
+}  // namespace furrow::planner

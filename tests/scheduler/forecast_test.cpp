@@ -1,0 +1,91 @@
+#include "scheduler/forecast.hpp"
+
+#include "tests/scheduler/fixture.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace furrow::scheduler {
+namespace {
+
+Itinerary flight(std::uint32_t agent, std::vector<double> flights_s, std::vector<double> services_s,
+                 double last_spray_s = 10) {
+  return {.agent = AgentId{agent},
+          .station = 0,
+          .flights_s = std::move(flights_s),
+          .services_s = std::move(services_s),
+          .last_spray_s = last_spray_s,
+          .last_home_s = 5,
+          .flies = true};
+}
+
+TEST_CASE("forecast: one bay serves first come first served", "[scheduler]") {
+  // 1 comes at 100, 2 at 90: 2 is served 90..150, 1 waits 50 s and is served 150..210.
+  const std::vector fleet{flight(1, {100}, {60}), flight(2, {90}, {60})};
+  const std::vector stations{station(1, 1)};
+  const Forecast f = forecast(fleet, stations);
+  CHECK(f.visits[1][0].starts_s == 90);
+  CHECK(f.visits[0][0].starts_s == 150);
+  CHECK(f.visits[0][0].ready_s == 210);
+  CHECK(f.queue_wait_s == 50);
+  CHECK(f.spray_ends_s == std::vector{220.0, 160.0});
+  CHECK(f.lands_s == std::vector{225.0, 165.0});
+  CHECK(f.makespan_s == 220);
+}
+
+TEST_CASE("forecast: those who come at the same instant are served by agent id", "[scheduler]") {
+  const std::vector fleet{flight(1, {50}, {30}), flight(2, {50}, {30})};
+  const std::vector stations{station(1, 1)};
+  const Forecast f = forecast(fleet, stations);
+  CHECK(f.visits[0][0].starts_s == 50);
+  CHECK(f.visits[1][0].starts_s == 80);
+}
+
+TEST_CASE("forecast: two bays serve two at once, in the lowest free bay", "[scheduler]") {
+  // 1 in bay 1 from 10 to 40, 2 in bay 2 from 20 to 30, 3 comes at 25 and waits for bay 2; 2 comes
+  // again at 42 when both are free but bay 2 was taken till 55.
+  const std::vector fleet{flight(1, {10}, {30}), flight(2, {20, 12}, {10, 30}),
+                          flight(3, {25}, {25})};
+  const std::vector stations{station(1, 2)};
+  const Forecast f = forecast(fleet, stations);
+  CHECK(f.visits[0][0].bay == 1);
+  CHECK(f.visits[1][0].bay == 2);
+  CHECK(f.visits[2][0].bay == 2);
+  CHECK(f.visits[2][0].starts_s == 30);
+  CHECK(f.visits[1][1].bay == 1);
+  CHECK(f.visits[1][1].starts_s == 42);
+  CHECK(f.queue_wait_s == 5);
+}
+
+TEST_CASE("forecast: stations queue apart", "[scheduler]") {
+  std::vector fleet{flight(1, {50}, {30}), flight(2, {50}, {30})};
+  fleet[1].station = 1;
+  const std::vector stations{station(1, 1), station(2, 1)};
+  CHECK(forecast(fleet, stations).queue_wait_s == 0);
+}
+
+TEST_CASE("forecast: an aircraft without a share does not fly", "[scheduler]") {
+  const std::vector fleet{itinerary(AgentId{1}, 0, {})};
+  const std::vector stations{station(1)};
+  const Forecast f = forecast(fleet, stations);
+  CHECK(f.makespan_s == 0);
+  CHECK(f.lands_s[0] == 0);
+}
+
+TEST_CASE("forecast: the queue clock finds the wait that the forecast finds", "[scheduler]") {
+  planner::ReturnPlan plan;
+  plan.sorties.resize(3);
+  for (auto& s : plan.sorties) s.fly_out_s = s.fly_back_s = 10, s.spray_s = 80, s.service_s = 60;
+  std::vector fleet{flight(1, {100, 100}, {60, 60}), flight(2, {90, 130}, {60, 60}),
+                    flight(3, {}, {})};
+  QueueClock clock{1, fleet};
+  const double others_s = clock.queue_wait_without_s(2);
+  const double all_s = clock.queue_wait_s(2, plan);
+  const std::vector stations{station(1, 1)};
+  CHECK(others_s == forecast(fleet, stations).queue_wait_s);
+  fleet[2] = itinerary(AgentId{3}, 0, plan);
+  CHECK(all_s == forecast(fleet, stations).queue_wait_s);
+  CHECK(all_s > others_s);
+}
+
+}  // namespace
+}  // namespace furrow::scheduler

@@ -1,0 +1,163 @@
+#include "scheduler/plan_fleet.hpp"
+
+#include "planner/returns/simple.hpp"
+#include "planner/returns/unplanned.hpp"
+#include "scheduler/forecast.hpp"
+#include "tests/scheduler/fixture.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <functional>
+
+namespace furrow::scheduler {
+namespace {
+
+using planner::PlanFault;
+using planner::ReturnStrategy;
+
+FleetProblem problem(double width_m, double length_m, std::uint32_t uavs) {
+  FleetProblem p{.field = {.boundary = {at_m(0, 0), at_m(width_m, 0), at_m(width_m, length_m),
+                                        at_m(0, length_m)},
+                           .holes = {},
+                           .obstacles = {}},
+                 .coverage = {},
+                 .work_direction_deg = 0.0,
+                 .stations = {station(1)},
+                 .vehicles = {},
+                 .solver = {.returns = ReturnStrategy::gsa,
+                            .refine = true,
+                            .paper_counting = false,
+                            .iterations = 20,
+                            .masses = 10,
+                            .budget_s = 1,
+                            .seed = 1}};
+  for (std::uint32_t i = 1; i <= uavs; ++i) p.vehicles.push_back(vehicle(i));
+  return p;
+}
+
+// The makespan when each aircraft of `plan` flies its share as `planned` says.
+template <class Planned>
+double makespan_s(const FleetPlan& plan, const std::vector<Station>& stations, Planned planned) {
+  std::vector<Itinerary> fleet;
+  for (const UavPlan& u : plan.uavs) {
+    const auto p = planner::return_problem(plan.route, u.cells, u.vehicle, u.station);
+    fleet.push_back(itinerary(u.vehicle.id, number(u.station.id) - 1, *planned(p)));
+  }
+  return forecast(fleet, stations).makespan_s;
+}
+
+TEST_CASE("plan_fleet: one aircraft alone gets what the planner finds for it", "[scheduler]") {
+  const FleetProblem p = problem(60, 400, 1);
+  const auto plan = plan_fleet(p);
+  REQUIRE(plan);
+  const UavPlan& uav = plan->uavs[0];
+  const auto alone = planner::solve(
+      planner::return_problem(plan->route, uav.cells, p.vehicles[0], p.stations[0]), p.solver);
+  REQUIRE(alone);
+  CHECK(uav.solution.plan.returns == alone->plan.returns);
+  CHECK(uav.cells.count == plan->route.centers.size());
+  // Spraying, the way out and what is not spraying; nobody to wait for.
+  const double spray_m = 2.0 * (static_cast<double>(plan->route.centers.size()) - 1);
+  CHECK(plan->makespan_s ==
+        Approx(std::sqrt(2.0) / 6 + spray_m / 3 + alone->plan.non_spray_s).epsilon(1e-9));
+}
+
+TEST_CASE("plan_fleet: every strip is somebody's, forecasts agree, and the bound holds",
+          "[scheduler]") {
+  const FleetProblem p = problem(100, 400, 3);
+  const auto plan = plan_fleet(p);
+  REQUIRE(plan);
+  std::uint32_t next = 0;
+  for (const UavPlan& u : plan->uavs) {
+    CHECK(u.strips.first == next);
+    next = end(u.strips);
+    CHECK(u.visits.size() == u.solution.plan.returns.size());
+    CHECK(u.spray_ends_s <= plan->makespan_s);
+    CHECK(u.lands_s > u.spray_ends_s);
+  }
+  CHECK(next == plan->route.strips.size());
+  CHECK(plan->lower_bound_s > 0);
+  CHECK(plan->lower_bound_s <= plan->makespan_s);
+}
+
+TEST_CASE("plan_fleet: no worse than all aircraft unplanned, and than all simple", "[scheduler]") {
+  const FleetProblem p = problem(100, 400, 4);
+  const auto plan = plan_fleet(p);
+  REQUIRE(plan);
+  CHECK(plan->makespan_s <= makespan_s(*plan, p.stations, [](const auto& share) {
+                              return planner::unplanned_plan(share);
+                            }) + 1e-9);
+  CHECK(plan->makespan_s <= makespan_s(*plan, p.stations, [](const auto& share) {
+                              return planner::simple_plan(share);
+                            }) + 1e-9);
+}
+
+TEST_CASE("plan_fleet: the same problem gives the same plan", "[scheduler]") {
+  const FleetProblem p = problem(80, 300, 3);
+  const auto a = plan_fleet(p), b = plan_fleet(p);
+  REQUIRE(a);
+  REQUIRE(b);
+  CHECK(a->makespan_s == b->makespan_s);
+  for (std::size_t u = 0; u < 3; ++u) {
+    CHECK(a->uavs[u].strips == b->uavs[u].strips);
+    CHECK(a->uavs[u].solution.plan.returns == b->uavs[u].solution.plan.returns);
+  }
+}
+
+TEST_CASE("plan_fleet: searches the work direction when it is left out", "[scheduler]") {
+  // 20 m by 400 m: strips along the length, 0 or 180 degrees, need fewer turns and returns.
+  FleetProblem p = problem(20, 400, 2);
+  p.work_direction_deg.reset();
+  p.solver.returns = ReturnStrategy::unplanned;
+  const auto searched = plan_fleet(p);
+  REQUIRE(searched);
+  for (const double direction_deg : {0.0, 90.0, 180.0, 270.0}) {
+    p.work_direction_deg = direction_deg;
+    const auto given = plan_fleet(p);
+    REQUIRE(given);
+    if (direction_deg == searched->work_direction_deg) {
+      CHECK(given->makespan_s == searched->makespan_s);
+    }
+  }
+}
+
+TEST_CASE("plan_fleet: aircraft use the station near their share", "[scheduler]") {
+  FleetProblem p = problem(400, 200, 4);
+  p.stations = {station(1, 1, at_m(0, 0)), station(2, 1, at_m(400, 0))};
+  const auto plan = plan_fleet(p);
+  REQUIRE(plan);
+  CHECK(plan->uavs.front().station.id == StationId{1});
+  CHECK(plan->uavs.back().station.id == StationId{2});
+}
+
+TEST_CASE("plan_fleet: more aircraft than strips leave some on the ground", "[scheduler]") {
+  const auto plan = plan_fleet(problem(4, 100, 3));
+  REQUIRE(plan);
+  CHECK(plan->uavs[2].cells.count == 0);
+  CHECK(plan->uavs[2].solution.plan.sorties.empty());
+  CHECK(plan->uavs[2].lands_s == 0);
+}
+
+TEST_CASE("plan_fleet: says which aircraft cannot fly the plan", "[scheduler]") {
+  FleetProblem p = problem(20, 100, 2);
+  p.vehicles[1].swath = metres(3);
+  const auto swaths = plan_fleet(p);
+  REQUIRE_FALSE(swaths);
+  CHECK(swaths.error().fault == PlanFault::swaths_differ);
+  CHECK(swaths.error().detail.rfind("UAV 2 sprays 3", 0) == 0);
+
+  p = problem(20, 100, 2);
+  p.vehicles[1].spray_endurance = seconds(0.5);
+  const auto tank = plan_fleet(p);
+  REQUIRE_FALSE(tank);
+  CHECK(tank.error().fault == PlanFault::tank_too_small);
+
+  p = problem(20, 100, 2);
+  p.stations[0].position = at_m(0, 90'000);
+  const auto reach = plan_fleet(p);
+  REQUIRE_FALSE(reach);
+  CHECK(reach.error().fault == PlanFault::out_of_reach);
+}
+
+}  // namespace
+}  // namespace furrow::scheduler

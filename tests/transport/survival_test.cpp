@@ -1,0 +1,198 @@
+// Processes that die, freeze, or are told nonsense.
+#include "toy_run.hpp"
+#include "transport/fleet_topics.hpp"
+#include "transport/member.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <csignal>
+#include <filesystem>
+#include <mutex>
+#include <set>
+
+#include <unistd.h>
+
+namespace furrow {
+namespace {
+
+using std::chrono::milliseconds;
+using SteadyClock = std::chrono::steady_clock;
+
+std::int64_t realtime_ns() { return transport::mission_now(0).time_since_epoch().count(); }
+
+std::set<std::string> shared_memory_files() {
+  std::set<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator{"/dev/shm"}) {
+    names.insert(entry.path().filename());
+  }
+  return names;
+}
+
+// Bytes that are no sample of any topic: every boolean is 255, every length enormous.
+struct Garbage {
+  void serialize(eprosima::fastcdr::Cdr& cdr) const {
+    for (int i = 0; i < 300; ++i) cdr << std::uint8_t{0xff};
+  }
+  void serializeKey(eprosima::fastcdr::Cdr& cdr) const { cdr << std::uint32_t{1}; }
+  void deserialize(eprosima::fastcdr::Cdr&) {}
+  static std::size_t getMaxCdrSerializedSize() { return 300; }
+  static std::size_t getCdrSerializedSize(const Garbage&) { return 300; }
+};
+
+TEST_CASE("survival: a malformed sample ends no process and is counted", "[transport]") {
+  const auto lock = transport::DomainLock::any_free();
+  REQUIRE(lock);
+  toy::Run run{.fleet = {.agents = 1, .stations = 1, .seconds = 2}, .domain = lock->domain()};
+  run.epoch_realtime_ns = realtime_ns() + 1'000'000'000;
+  toy::Children children{run};
+
+  auto rogue = transport::Participant::join(toy::network(run), 50, transport::TimeMode::wall, {});
+  REQUIRE(rogue);
+  const auto wall = transport::TimeMode::wall;
+  auto claims = (*rogue)->writer<Garbage>("service_claim", "fleet::v1::ServiceClaim",
+                                          transport::quality(6, wall));
+  auto states = (*rogue)->writer<Garbage>("agent_state", "fleet::v1::AgentState",
+                                          transport::quality(1, wall));
+  auto reports = (*rogue)->writer<Garbage>("work_report", "fleet::v1::WorkReport",
+                                           transport::quality(5, wall));
+  auto settings = toy::director(run, children);
+  settings.epoch_realtime_ns = run.epoch_realtime_ns;
+  settings.mission_limit = Instant{20 * toy::second};
+  bool all_matched = false;
+  settings.observer = [&](const Envelope&) {
+    Garbage garbage;
+    claims.write(garbage);
+    states.write(garbage);
+    reports.write(garbage);
+    // The scheduler or the station, and the recorder.
+    all_matched =
+        all_matched || (claims.matched() == 2 && states.matched() == 2 && reports.matched() == 2);
+  };
+  const auto result = run_director(settings);
+  if (!result) FAIL(result.error().what);
+  CHECK(all_matched);
+  CHECK(result->malformed_messages > 0);
+  CHECK(result->ending == transport::Ending::finished);
+  CHECK(children.exit_codes() == std::map<std::uint32_t, int>{{1, 0}, {2, 0}, {3, 0}});
+}
+
+TEST_CASE("survival: an agent's process that is killed or frozen is noticed within its lease",
+          "[transport]") {
+  const auto before = shared_memory_files();
+  const auto lock = transport::DomainLock::any_free();
+  REQUIRE(lock);
+  toy::Run run{.fleet = {.agents = 2, .stations = 0, .seconds = 60}, .domain = lock->domain()};
+  run.epoch_realtime_ns = realtime_ns();
+  const auto all = toy::parts(run);  // the scheduler, which the test plays, and two agents
+
+  std::mutex mutex;
+  std::set<std::uint32_t> lost;
+  auto scheduler =
+      transport::Participant::join(toy::network(run), transport::scheduler_participant,
+                                   transport::TimeMode::wall, [&](std::uint32_t participant) {
+                                     const std::lock_guard guard{mutex};
+                                     lost.insert(participant);
+                                   });
+  REQUIRE(scheduler);
+  std::set<std::uint32_t> heard;
+  const transport::FleetTopics topics{
+      **scheduler,
+      transport::role::scheduler,
+      false,
+      transport::TimeMode::wall,
+      BootId{1},
+      [&](transport::Origin origin, std::size_t, std::optional<Envelope>) {
+        const std::lock_guard guard{mutex};
+        heard.insert(origin.participant);
+      }};
+  const auto within = [&](const std::set<std::uint32_t>& set, std::uint32_t participant,
+                          milliseconds patience) {
+    const auto end = SteadyClock::now() + patience;
+    while (SteadyClock::now() < end) {
+      {
+        const std::lock_guard guard{mutex};
+        if (set.contains(participant)) return true;
+      }
+      ::usleep(5'000);
+    }
+    return false;
+  };
+
+  toy::Run agents = run;
+  transport::Process killed = toy::start(agents, all[1]);
+  transport::Process frozen = toy::start(agents, all[2]);
+  REQUIRE(within(heard, all[1].participant, milliseconds{10'000}));
+  REQUIRE(within(heard, all[2].participant, milliseconds{10'000}));
+  CHECK_FALSE(within(lost, all[1].participant, milliseconds{1'500}));  // no false alarm
+
+  // Half a second for a loaded machine on top of the lease.
+  const milliseconds patience = transport::wall_lease + milliseconds{500};
+  killed.signal(SIGKILL);
+  CHECK(within(lost, all[1].participant, patience));
+  CHECK_FALSE(within(lost, all[2].participant, milliseconds{1}));
+  frozen.signal(SIGSTOP);
+  CHECK(within(lost, all[2].participant, patience));
+
+  (*scheduler)->close();
+  std::set<std::string> left = shared_memory_files();
+  for (const auto& name : before) left.erase(name);
+  CHECK(left.empty());  // nothing in shared memory, not even of the dead
+}
+
+TEST_CASE("survival: members are told when their run is interrupted", "[transport]") {
+  const auto lock = transport::DomainLock::any_free();
+  REQUIRE(lock);
+  const toy::Run run{.fleet = {.agents = 1, .stations = 0, .seconds = 1'000'000},
+                     .domain = lock->domain()};
+  toy::Children children{run};
+  auto settings = toy::director(run, children);
+  int messages = 0;
+  settings.observer = [&](const Envelope&) { ++messages; };
+  settings.interrupted = [&] { return messages > 100; };
+  const auto result = run_director(settings);
+  if (!result) FAIL(result.error().what);
+  CHECK(result->ending == transport::Ending::interrupted);
+  CHECK(children.exit_codes() == std::map<std::uint32_t, int>{{1, 0}, {2, 0}});
+}
+
+TEST_CASE("survival: members end by themselves when their director is killed", "[transport]") {
+  const auto lock = transport::DomainLock::any_free();
+  REQUIRE(lock);
+  const toy::Run run{.fleet = {.agents = 1, .stations = 0, .seconds = 1'000'000},
+                     .domain = lock->domain()};
+  transport::Process director =
+      toy::start(run, {.participant = transport::director_participant, .from = 0, .to = 0});
+  toy::Children children{run};
+  ::sleep(1);
+  CHECK(children.dead().empty());
+  director.signal(SIGKILL);
+  CHECK(children.exit_codes() == std::map<std::uint32_t, int>{{1, 1}, {2, 1}});
+}
+
+TEST_CASE("survival: a member that never comes is named", "[transport]") {
+  const auto lock = transport::DomainLock::any_free();
+  REQUIRE(lock);
+  const toy::Run run{.fleet = {.agents = 1, .stations = 0, .seconds = 1}, .domain = lock->domain()};
+  transport::Process scheduler = toy::start(run, toy::parts(run)[0]);
+  const auto result = transport::run_director({.network = toy::network(run),
+                                               .members = toy::plans(run),
+                                               .latency = toy::bad_radio.latency,
+                                               .start_timeout = milliseconds{1000}});
+  REQUIRE_FALSE(result);
+  CHECK(result.error().what.find("did not come within 1 s") != std::string::npos);
+}
+
+TEST_CASE("process: tells how a child ended", "[transport]") {
+  auto failing = transport::Process::spawn({"/bin/sh", "-c", "exit 3"});
+  REQUIRE(failing);
+  CHECK(failing->wait(milliseconds{5000}) == 3);
+  auto sleeping = transport::Process::spawn({"/bin/sleep", "60"});
+  REQUIRE(sleeping);
+  CHECK_FALSE(sleeping->exit_code());
+  sleeping->signal(SIGTERM);
+  CHECK(sleeping->wait(milliseconds{5000}) == 128 + SIGTERM);
+  CHECK_FALSE(transport::Process::spawn({"/no/such/program"}));
+}
+
+}  // namespace
+}  // namespace furrow

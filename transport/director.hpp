@@ -1,0 +1,60 @@
+#pragma once
+// The central clock of a run and the recorder of all that is said in it.
+
+#include "core/expected.hpp"
+#include "core/messages.hpp"
+#include "transport/network.hpp"
+
+#include <chrono>
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace furrow::transport {
+
+/// A process to come, and the nodes that it hosts.
+struct MemberPlan {
+  std::uint32_t participant;
+  std::vector<NodeId> nodes;
+};
+
+struct DirectorSettings {
+  Network network;
+  std::vector<MemberPlan> members;
+  Duration latency;               ///< Least time of a message on the way, > 0: the lookahead.
+  std::optional<double> pace{};   ///< Mission seconds per second, > 0; left out: as fast as can be.
+  Instant mission_limit = never;  ///< The run is given up there.
+  /// The mission's epoch in CLOCK_REALTIME nanoseconds: nothing is granted, only recorded.
+  std::optional<std::int64_t> epoch_realtime_ns{};
+  std::chrono::milliseconds start_timeout{30'000};  ///< For every member to be there.
+  /// Sees every envelope once, ordered by time, sender, sequence number (by arrival on the wall
+  /// clock).
+  std::function<void(const Envelope&)> observer{};
+  std::function<bool()> interrupted{};  ///< Asked often; true ends the run.
+  /// Asked often: participants whose processes are known to have ended. They drop out of the run.
+  std::function<std::vector<std::uint32_t>()> dead_members{};
+};
+
+enum class Ending {
+  finished,       ///< The scheduler said so.
+  mission_limit,  ///< Time was up.
+  idle,           ///< Nothing was going to happen any more.
+  interrupted,
+  abandoned  ///< Every member has died.
+};
+
+struct DirectorResult {
+  std::vector<Envelope> log;  ///< All that was sent up to `end`, by time, sender, sequence number.
+  Instant end;
+  Ending ending;
+  std::vector<std::uint32_t> died;   ///< Participants lost on the way.
+  std::uint64_t rounds;              ///< Of grants.
+  std::uint64_t malformed_messages;  ///< Dropped by the recorder.
+};
+
+/// Waits for every member, runs the mission to its end and tells the members to stop.
+///
+/// @return  An error when a member does not come, or its port is taken.
+Expected<DirectorResult, TransportError> run_director(const DirectorSettings& settings);
+
+}  // namespace furrow::transport
