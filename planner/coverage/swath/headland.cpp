@@ -15,10 +15,21 @@ StripGroup round_along(const RingM& ring, double half_width_m, bool backwards) {
     if (corners.empty() || norm(p - corners.back()) > shortest_side_m) corners.push_back(p);
   }
   if (backwards) std::reverse(corners.begin(), corners.end());
-  StripGroup group{{}, Flown::as_it_is};
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    group.strips.push_back({corners[i], corners[(i + 1) % corners.size()], half_width_m});
+  // Begun in the middle of the longest side, so that every corner is turned with the valve open.
+  std::size_t longest = 0;
+  const auto side = [&](std::size_t i) { return corners[(i + 1) % corners.size()] - corners[i]; };
+  for (std::size_t i = 1; i < corners.size(); ++i) {
+    if (norm(side(i)) > norm(side(longest))) longest = i;
   }
+  const PointM start = corners[longest] + 0.5 * side(longest);
+  StripGroup group{{}, Flown::as_it_is};
+  PointM here = start;
+  for (std::size_t i = 1; i <= corners.size(); ++i) {
+    const PointM next = corners[(longest + i) % corners.size()];
+    group.strips.push_back({here, next, half_width_m});
+    here = next;
+  }
+  group.strips.push_back({here, start, half_width_m});
   return group;
 }
 

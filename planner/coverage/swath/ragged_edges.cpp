@@ -1,6 +1,5 @@
 #include "planner/coverage/swath/ragged_edges.hpp"
 
-#include "planner/coverage/swath/areas.hpp"
 #include "planner/coverage/swath/strips.hpp"
 
 #include <algorithm>
@@ -163,12 +162,12 @@ std::vector<StripGroup> chains_of(std::vector<EdgeStrip> strips, double swath_m)
 }  // namespace
 
 std::vector<StripGroup> edge_strips(const LandPart& flight, const LandParts& land,
-                                    const std::vector<GroundStrip>& strips, double swath_m,
+                                    const std::vector<SprayedRun>& sprayed, double swath_m,
                                     double tolerance, double least_m) {
   const std::vector<Edge> edges = edges_of(land, bend * swath_m);
   const double allowed_m2 = tolerance * area_m2(land);
   std::vector<EdgeStrip> added;
-  LandParts missed = missed_by(strips, land);
+  LandParts missed = missed_land(sprayed, land);
   for (int round = 0; round < most_rounds; ++round) {
     double left_m2 = area_m2(missed);
     if (left_m2 <= allowed_m2) break;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "planner/coverage/swath/edge_grid.hpp"
+#include "planner/coverage/swath/areas.hpp"
 #include "planner/coverage/swath/groups.hpp"
 
 #include <vector>
@@ -14,10 +14,10 @@ namespace furrow::planner {
 /// two rows, a thin band. One strip along the edge covers either; along a curve, a chain of them.
 ///
 /// @param flight   Where strips may lie.
-/// @param strips   What is sprayed already.
+/// @param sprayed  What is sprayed already.
 /// @param least_m  Shorter edge strips are not worth flying.
 std::vector<StripGroup> edge_strips(const LandPart& flight, const LandParts& land,
-                                    const std::vector<GroundStrip>& strips, double swath_m,
+                                    const std::vector<SprayedRun>& sprayed, double swath_m,
                                     double tolerance, double least_m);
 
 }  // namespace furrow::planner

@@ -29,12 +29,20 @@ double heading_of(RowFrame frame) {
   return half_turn;
 }
 
-std::vector<GroundStrip> strips_of(const PartPlan& plan) {
-  std::vector<GroundStrip> strips;
-  for (const StripGroup& group : plan.groups) {
-    strips.insert(strips.end(), group.strips.begin(), group.strips.end());
+// Strips that follow each other without a gap are sprayed in one run.
+std::vector<SprayedRun> runs_of(const std::vector<OrderedStrip>& strips) {
+  std::vector<SprayedRun> runs;
+  for (std::size_t i = 0; i < strips.size(); ++i) {
+    const GroundStrip& s = strips[i].strip;
+    const bool continues = i > 0 && norm(s.a - strips[i - 1].strip.b) <= 1e-9 &&
+                           s.half_width_m == strips[i - 1].strip.half_width_m;
+    if (continues) {
+      runs.back().path.push_back(s.b);
+    } else {
+      runs.push_back({{s.a, s.b}, 2 * s.half_width_m});
+    }
   }
-  return strips;
+  return runs;
 }
 
 PartPlan plan_rows(const LandPart& flight, const FieldLand& field, const InsidePaths& paths,
@@ -62,8 +70,8 @@ PartPlan plan_part(const LandPart& flight, const FieldLand& field,
   const SwathSettings& s = rule.settings;
   if (s.edges == EdgeMode::cover_all && !plan.groups.empty()) {
     const LandParts here = field.flight.size() == 1 ? field.land : LandParts{flight};
-    const auto more = edge_strips(flight, here, strips_of(plan), rule.swath_m, s.miss_tolerance,
-                                  s.min_strip.base());
+    const auto more = edge_strips(flight, here, runs_of(plan.order.strips), rule.swath_m,
+                                  s.miss_tolerance, s.min_strip.base());
     plan.groups.insert(plan.groups.end(), more.begin(), more.end());
     if (!more.empty()) plan.order = strip_order(plan.groups, paths, rule.start);
   }
@@ -84,22 +92,6 @@ void lay(Laid& laid, PartPlan&& plan) {
   laid.bound_m += plan.order.bound_m;
   laid.dropped_m2 += plan.dropped_m2;
   laid.exact = laid.exact && (plan.order.exact || plan.order.strips.empty());
-}
-
-// Strips that follow each other without a gap are sprayed in one run.
-std::vector<SprayedRun> runs_of(const std::vector<OrderedStrip>& strips) {
-  std::vector<SprayedRun> runs;
-  for (std::size_t i = 0; i < strips.size(); ++i) {
-    const GroundStrip& s = strips[i].strip;
-    const bool continues = i > 0 && norm(s.a - strips[i - 1].strip.b) <= 1e-9 &&
-                           s.half_width_m == strips[i - 1].strip.half_width_m;
-    if (continues) {
-      runs.back().path.push_back(s.b);
-    } else {
-      runs.push_back({{s.a, s.b}, 2 * s.half_width_m});
-    }
-  }
-  return runs;
 }
 
 FieldPoint field_point(PointM p, PointM origin) { return at_m(p.x + origin.x, p.y + origin.y); }

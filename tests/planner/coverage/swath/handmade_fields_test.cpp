@@ -107,8 +107,9 @@ TEST_CASE("headland rounds turn as told and leave the rows what lies inside them
   // Rounds 1 and 3 m from the edge: 2 (98 + 58) + 2 (94 + 54) m. Inside 92 x 52 m: 26 rows of 92 m.
   CHECK(c->sprayed.base() == Approx(312 + 296 + 26 * 92));
   CHECK(covered_share(*c) >= 0.999);
-  // Nothing is left out but, at each corner of the outer round, what its round end does not reach.
-  CHECK(c->areas.missed.base() <= 4 * (1 - std::numbers::pi / 4) + 0.1);
+  // Left out is what the round end of a turn does not reach at the corners of both rounds, and a
+  // little of the arcs, which are drawn as polygons.
+  CHECK(c->areas.missed.base() <= 8 * (1 - std::numbers::pi / 4) + 0.1);
 
   const auto area_of_round = [](const SwathCoverage& coverage) {
     double twice = 0;
