@@ -1,6 +1,6 @@
 #include "planner/coverage/swath/areas.hpp"
 
-#include "planner/coverage/swath/geos.hpp"
+#include "planner/coverage/geos.hpp"
 
 #include <algorithm>
 #include <cmath>

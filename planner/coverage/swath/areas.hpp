@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/units.hpp"
-#include "planner/coverage/swath/plane.hpp"
+#include "planner/coverage/plane.hpp"
 
 #include <vector>
 

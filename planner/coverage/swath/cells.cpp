@@ -1,6 +1,6 @@
 #include "planner/coverage/swath/cells.hpp"
 
-#include "planner/coverage/swath/geos.hpp"
+#include "planner/coverage/geos.hpp"
 
 #include <algorithm>
 #include <cmath>

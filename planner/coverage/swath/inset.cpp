@@ -1,6 +1,6 @@
 #include "planner/coverage/swath/inset.hpp"
 
-#include "planner/coverage/swath/geos.hpp"
+#include "planner/coverage/geos.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -47,8 +47,8 @@ Expected<LandParts, PlanError> mended(const Ring& ring, PointM origin, const std
   if (local.size() < 3) return no_area();
 
   const double signed_m2 = signed_area_m2(local);
-  const std::string defect = ring_defect(local, origin);
-  if (defect.empty()) {
+  const std::string why = defect({local, {}}, origin);
+  if (why.empty()) {
     if (signed_m2 == 0) return no_area();
     if (signed_m2 < 0) std::reverse(local.begin(), local.end());
     return LandParts{{std::move(local), {}}};
@@ -57,7 +57,7 @@ Expected<LandParts, PlanError> mended(const Ring& ring, PointM origin, const std
   const double enclosed_m2 = area_m2(parts);
   if (enclosed_m2 == 0) return no_area();
   if (std::abs(enclosed_m2 - std::abs(signed_m2)) > same_area * enclosed_m2) {
-    return Unexpected{invalid(which, defect)};
+    return Unexpected{invalid(which, why)};
   }
   return parts;
 }

@@ -2,7 +2,7 @@
 
 #include "core/expected.hpp"
 #include "core/field.hpp"
-#include "planner/coverage/swath/plane.hpp"
+#include "planner/coverage/plane.hpp"
 #include "planner/plan_error.hpp"
 
 namespace furrow::planner {

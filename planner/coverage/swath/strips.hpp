@@ -1,6 +1,6 @@
 #pragma once
 
-#include "planner/coverage/swath/plane.hpp"
+#include "planner/coverage/plane.hpp"
 #include "planner/coverage/swath/settings.hpp"
 
 #include <cstddef>

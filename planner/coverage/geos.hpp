@@ -1,16 +1,16 @@
 #pragma once
-// The only door to GEOS of the swath model: plain rings in, plain rings out.
+// The only door to GEOS: plain rings in, plain rings out.
 
-#include "planner/coverage/swath/plane.hpp"
+#include "planner/coverage/plane.hpp"
 
 #include <string>
 #include <vector>
 
 namespace furrow::planner {
 
-/// What makes `ring` no simple polygon and where, "" if nothing. Coordinates are given with
-/// `origin` added, so that they read in the operator's frame.
-std::string ring_defect(const RingM& ring, PointM origin);
+/// What makes `part` no valid polygon and where, "" if nothing; its rings may run either way round.
+/// Coordinates are given with `origin` added, so that they read in the operator's frame.
+std::string defect(const LandPart& part, PointM origin);
 
 /// The area that `ring` encloses an odd number of times, as valid parts.
 LandParts even_odd(const RingM& ring);

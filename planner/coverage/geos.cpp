@@ -1,4 +1,4 @@
-#include "planner/coverage/swath/geos.hpp"
+#include "planner/coverage/geos.hpp"
 
 #include "core/require.hpp"
 
@@ -101,9 +101,9 @@ constexpr double overlay_grid_m = 1e-7;
 
 }  // namespace
 
-std::string ring_defect(const RingM& ring, PointM origin) {
+std::string defect(const LandPart& part, PointM origin) {
   const Session geos;
-  const auto shape = geos.owned(geos.polygon({ring, {}}));
+  const auto shape = geos.owned(geos.polygon(part));
   char* reason = nullptr;
   GEOSGeometry* where = nullptr;
   std::string text;
@@ -146,7 +146,7 @@ LandParts subtracted(const LandParts& land, const LandParts& taken) {
 LandParts offset(const LandParts& land, double distance_m) {
   if (land.empty() || distance_m == 0) return land;
   constexpr int segments_per_quarter = 8;  // unused by mitred corners
-  constexpr double mitre_limit = 5.0;      // sharper corners than 23 degrees are cut off
+  constexpr double mitre_limit = 10.0;     // sharper corners than 12 degrees are cut off
   const Session geos;
   const auto shape = geos.polygons(land);
   return geos.parts_of(geos.owned(GEOSBufferWithStyle_r(geos.context(), shape.get(), distance_m,

@@ -1,6 +1,6 @@
 #pragma once
-// Plane geometry in raw metres for the hot loops of the swath model. Public doors speak in
-// FieldPoint and Length; `planner/coverage/swath/swath.cpp` converts once each way.
+// Plane geometry in raw metres for the hot loops of coverage. Public doors speak in
+// FieldPoint and Length; models convert once each way.
 
 #include <cmath>
 #include <vector>
