@@ -31,12 +31,18 @@ double rows_cost_m(const Sweep& rows, const PlanRule& rule) {
          static_cast<double>(rows.chords.size()) * (rule.settings.turn_cost.base() + rule.swath_m);
 }
 
-// Rows, turns, and for every group beyond the first a leap across half the field.
+// Inside rows leave land out; each metre of row that is missing counts twice, so that a direction
+// along the edges wins over one that saves a turn.
+double left_out_cost_m(const LandParts& pieces, double sprayed_m, const PlanRule& rule) {
+  if (rule.settings.edges == EdgeMode::cover_all) return 0;
+  return 2 * std::max(0.0, area_m2(pieces) / rule.swath_m - sprayed_m);
+}
+
+// Rows, turns, how ragged their ends are, and a swath for every second group on a row.
 double coarse_cost_m(const LandPart& piece, RowFrame frame, const PlanRule& rule) {
   SweepRule coarse = sweep_rule(rule);
-  coarse.edges = EdgeMode::cover_all;
   coarse.min_strip_m = 0;
-  const Sweep rows = sweep(piece, {}, frame, coarse);
+  const Sweep rows = sweep(piece, {piece}, frame, coarse);
   std::size_t leaps = 0;
   for (std::size_t i = 1; i < rows.chords.size(); ++i) {
     if (rows.chords[i].row == rows.chords[i - 1].row) ++leaps;
@@ -47,7 +53,9 @@ double coarse_cost_m(const LandPart& piece, RowFrame frame, const PlanRule& rule
               std::abs(rows.chords[i].high_m - rows.chords[i - 1].high_m);
   }
   const double chords = static_cast<double>(rows.chords.size());
-  return rows_cost_m(rows, rule) + ends_m / 2 +
+  double sprayed_m = 0;
+  for (const Chord& chord : rows.chords) sprayed_m += chord.length_m();
+  return rows_cost_m(rows, rule) + left_out_cost_m({piece}, sprayed_m, rule) + ends_m / 2 +
          std::min<double>(static_cast<double>(leaps), chords) * rule.swath_m;
 }
 
@@ -99,9 +107,12 @@ void add_groups(PartPlan& plan, const LandPart& piece, const LandPart& flight,
   }
 }
 
-void put_in_order(PartPlan& plan, const InsidePaths& paths, const PlanRule& rule) {
+void put_in_order(PartPlan& plan, const LandPart& flight, const InsidePaths& paths,
+                  const PlanRule& rule) {
   plan.order = strip_order(plan.groups, paths, rule.start);
-  plan.cost_m = plan.order.route_m +
+  double sprayed_m = 0;
+  for (const OrderedStrip& s : plan.order.strips) sprayed_m += norm(s.strip.b - s.strip.a);
+  plan.cost_m = plan.order.route_m + left_out_cost_m({flight}, sprayed_m, rule) +
                 rule.settings.turn_cost.base() * static_cast<double>(plan.order.strips.size());
 }
 
@@ -133,7 +144,7 @@ PartPlan plan_cells(const LandParts& cells, const LandPart& flight, const LandPa
     }
     add_groups(plan, cell, flight, land, paths.edges(), direction, rule, true);
   }
-  put_in_order(plan, paths, rule);
+  put_in_order(plan, flight, paths, rule);
   return plan;
 }
 
@@ -169,7 +180,7 @@ PartPlan plan_one_direction(const LandPart& piece, const LandPart& flight, const
                             const std::vector<StripGroup>& first) {
   PartPlan plan{.groups = first, .order = {}, .direction = direction};
   add_groups(plan, piece, flight, land, paths.edges(), direction, rule, !first.empty());
-  put_in_order(plan, paths, rule);
+  put_in_order(plan, flight, paths, rule);
   return plan;
 }
 
