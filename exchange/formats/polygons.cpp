@@ -35,7 +35,7 @@ std::unique_ptr<OGRGeometry> joined_at_antimeridian(const OGRMultiPolygon& parts
       }
     }
   }
-  return std::unique_ptr<OGRGeometry>{unrolled.UnaryUnion()};
+  return std::unique_ptr<OGRGeometry>{unrolled.UnionCascaded()};
 }
 
 bool is_cut_at_antimeridian(const OGRGeometry& geometry, const OGRSpatialReference* crs) {
