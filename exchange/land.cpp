@@ -54,7 +54,8 @@ Fault no_such_feature(const Polygons& found, std::size_t wanted) {
         std::to_string(wanted)};
   }
   return {"must hold a polygon",
-          found.others() == 0 ? "no geometry" : fmt::format("{} other geometries", found.others())};
+          found.others() == 0 ? "no geometry"
+                              : fmt::format("only points or lines, {} in number", found.others())};
 }
 
 }  // namespace

@@ -115,9 +115,9 @@ TEST_CASE("A file that is no field is refused in one line, with the rule and wha
   CHECK(refusal("broken/no_feature.geojson") ==
         "broken/no_feature.geojson: must hold a polygon (got no geometry)");
   CHECK(refusal("broken/point.geojson") ==
-        "broken/point.geojson: must hold a polygon (got 1 other geometries)");
+        "broken/point.geojson: must hold a polygon (got only points or lines, 1 in number)");
   CHECK(refusal("broken/line.wkt") ==
-        "broken/line.wkt: must hold a polygon (got 1 other geometries)");
+        "broken/line.wkt: must hold a polygon (got only points or lines, 1 in number)");
   CHECK(refusal("broken/truncated.geojson").find("must be a sound GeoJSON file") !=
         std::string::npos);
   CHECK(refusal("broken/truncated.wkt").find("must be a sound WKT geometry") != std::string::npos);
