@@ -8,6 +8,7 @@ import sys
 # Folder -> folders it may include besides itself. Read it as the architecture diagram.
 MAY_INCLUDE = {
     "core": set(),
+    "exchange": {"core"},
     "planner": {"core"},
     "supply": {"core"},
     "scheduler": {"core", "planner", "supply"},
@@ -24,7 +25,8 @@ CONFINED = {
     r"#include <fast(dds|rtps|cdr)": {"transport"},
     r"#include <(ompl|geos)": {"planner"},
     r"#include <yaml-cpp/": {"mission"},
-    r"#include <nlohmann/": {"app"},
+    r"#include <(cpl|ogr|gdal|proj)[_.a-z]*\.h": {"exchange"},
+    r"#include <nlohmann/": {"app", "exchange"},
     r"#include <spdlog/": {"transport", "app"},
     r"steady_clock|system_clock|random_device|getenv|std::thread|std::mutex": {"transport", "app"},
 }
