@@ -16,9 +16,9 @@ MAY_INCLUDE = {
     "idl": set(),
     "transport": {"core", "idl"},
     "sim": {"core", "planner", "supply", "scheduler", "agents"},
-    "mission": {"core", "planner", "supply", "scheduler", "agents"},
+    "mission": {"core", "exchange", "planner", "supply", "scheduler", "agents"},
     "process": {"core", "mission", "transport"},
-    "app": {"core", "planner", "supply", "scheduler", "agents", "mission", "transport", "sim"},
+    "app": {"core", "exchange", "planner", "supply", "scheduler", "agents", "mission", "transport", "sim"},
 }
 # Pattern -> the only folders where it may appear.
 CONFINED = {
