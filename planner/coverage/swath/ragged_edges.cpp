@@ -9,8 +9,10 @@
 namespace furrow::planner {
 namespace {
 
-constexpr int most_rounds = 3;
+constexpr int most_rounds = 4;
+constexpr int first_apart = 2;      // round from which each missed place gets a strip of its own
 constexpr double bend = 0.05;       // swaths by which an edge strip may pass a curved edge
+constexpr double shortest = 0.1;    // swaths of edge that are worth a strip
 constexpr double widest_gap = 8.0;  // swaths between missed places that one strip still joins
 
 // A side of a ring, or a chord of it that passes over vertices.
@@ -73,10 +75,10 @@ std::vector<Edge> edges_of(const LandParts& land, double bend_m) {
   return edges;
 }
 
-std::size_t nearest_edge(const std::vector<Edge>& edges, PointM p) {
+std::size_t nearest_edge(const std::vector<Edge>& edges, std::size_t count, PointM p) {
   std::size_t best = 0;
   double best_m = INFINITY;
-  for (std::size_t e = 0; e < edges.size(); ++e) {
+  for (std::size_t e = 0; e < count; ++e) {
     const double away_m = distance_m(p, edges[e]);
     if (away_m < best_m) {
       best_m = away_m;
@@ -86,11 +88,32 @@ std::size_t nearest_edge(const std::vector<Edge>& edges, PointM p) {
   return best;
 }
 
-std::vector<Stretch> stretches_of(const LandParts& missed, const std::vector<Edge>& edges,
-                                  double gap_m) {
+// An edge half a swath beside the middle of `part`, along its longest side: a strip beside that
+// edge runs through the middle.
+Edge own_edge(const LandPart& part, double swath_m) {
+  Edge longest{part.outer[0], part.outer[1], 0};
+  each_edge(part, [&](PointM a, PointM b) {
+    if (norm(b - a) > norm(longest.to - longest.from)) longest = {a, b, 0};
+  });
+  const PointM along = longest.to - longest.from;
+  const PointM right = (swath_m / 2 / norm(along)) * PointM{along.y, -along.x};
+  const PointM start = middle_of(part.outer) + right;
+  return {start, start + along, 0};
+}
+
+// Missed places by the edge that they lie at; far from any, or if `apart`, by an edge of their own,
+// which is added.
+std::vector<Stretch> stretches_of(const LandParts& missed, std::vector<Edge>& edges,
+                                  std::size_t land_edges, double swath_m, bool apart) {
+  const double gap_m = widest_gap * swath_m;
   std::map<std::size_t, std::vector<Stretch>> by_edge;
   for (const LandPart& part : missed) {
-    const std::size_t e = nearest_edge(edges, middle_of(part.outer));
+    const PointM middle = middle_of(part.outer);
+    std::size_t e = nearest_edge(edges, land_edges, middle);
+    if (apart || distance_m(middle, edges[e]) > swath_m) {
+      e = edges.size();
+      edges.push_back(own_edge(part, swath_m));
+    }
     const RowFrame frame = RowFrame::along(edges[e].to - edges[e].from);
     Stretch stretch{e, INFINITY, -INFINITY, area_m2(part)};
     for (const PointM p : part.outer) {
@@ -117,18 +140,34 @@ std::vector<Stretch> stretches_of(const LandParts& missed, const std::vector<Edg
   return joined;
 }
 
-// The strip beside the edge that covers the stretch, as far as flight is allowed there.
+struct Interval {
+  double low_m, high_m;
+};
+
+// The strips beside the edge that cover the stretch, as far as flight is allowed there: half a
+// swath inside, or nearer to the edge where the land is too narrow for that.
 std::vector<GroundStrip> strips_beside(const LandPart& flight, const Edge& edge,
                                        const Stretch& stretch, double swath_m, double least_m) {
   const RowFrame frame = RowFrame::along(edge.to - edge.from);
   const double edge_v = frame.to(edge.from).y;
   std::vector<GroundStrip> strips;
-  const Row row{edge_v + swath_m / 2 - edge.bulge_m, swath_m / 2};
-  for (const Chord& chord : chords_at(flight, {}, frame, row, EdgeMode::cover_all)) {
-    const double low = std::max(chord.low_m, stretch.low_m);
-    const double high = std::min(chord.high_m, stretch.high_m);
-    if (high - low < std::max(least_m, 1e-6)) continue;
-    strips.push_back({frame.from({low, row.v_m}), frame.from({high, row.v_m}), swath_m / 2});
+  std::vector<Interval> open{{stretch.low_m, stretch.high_m}};
+  for (const double inside : {0.5, 0.25, 0.1, 0.01}) {
+    const Row row{edge_v + inside * swath_m - edge.bulge_m, swath_m / 2};
+    std::vector<Interval> left;
+    const auto chords = chords_at(flight, {}, frame, row, EdgeMode::cover_all);
+    for (Interval gap : open) {
+      for (const Chord& chord : chords) {
+        const double low = std::max(chord.low_m, gap.low_m);
+        const double high = std::min(chord.high_m, gap.high_m);
+        if (high - low < std::max(least_m, shortest * swath_m)) continue;
+        strips.push_back({frame.from({low, row.v_m}), frame.from({high, row.v_m}), swath_m / 2});
+        if (low > gap.low_m) left.push_back({gap.low_m, low});
+        gap.low_m = high;
+      }
+      if (gap.low_m < gap.high_m) left.push_back(gap);
+    }
+    open = std::move(left);
   }
   return strips;
 }
@@ -164,14 +203,16 @@ std::vector<StripGroup> chains_of(std::vector<EdgeStrip> strips, double swath_m)
 std::vector<StripGroup> edge_strips(const LandPart& flight, const LandParts& land,
                                     const std::vector<SprayedRun>& sprayed, double swath_m,
                                     double tolerance, double least_m) {
-  const std::vector<Edge> edges = edges_of(land, bend * swath_m);
+  std::vector<Edge> edges = edges_of(land, bend * swath_m);
+  const std::size_t land_edges = edges.size();
   const double allowed_m2 = tolerance * area_m2(land);
   std::vector<EdgeStrip> added;
   LandParts missed = missed_land(sprayed, land);
   for (int round = 0; round < most_rounds; ++round) {
     double left_m2 = area_m2(missed);
     if (left_m2 <= allowed_m2) break;
-    std::vector<Stretch> stretches = stretches_of(missed, edges, widest_gap * swath_m);
+    std::vector<Stretch> stretches =
+        stretches_of(missed, edges, land_edges, swath_m, round >= first_apart);
     std::stable_sort(stretches.begin(), stretches.end(),
                      [](const Stretch& a, const Stretch& b) { return a.missed_m2 > b.missed_m2; });
     std::vector<GroundStrip> more;
@@ -184,7 +225,8 @@ std::vector<StripGroup> edge_strips(const LandPart& flight, const LandParts& lan
       }
       left_m2 -= stretch.missed_m2;
     }
-    if (more.empty()) break;
+    if (more.empty() && round >= first_apart) break;
+    if (more.empty()) continue;
     missed = missed_by(more, missed);
   }
   return chains_of(std::move(added), swath_m);

@@ -75,7 +75,8 @@ PartPlan plan_part(const LandPart& flight, const FieldLand& field,
     plan.groups.insert(plan.groups.end(), more.begin(), more.end());
     if (!more.empty()) plan.order = strip_order(plan.groups, paths, rule.start);
   }
-  join_corners(plan.order, paths.edges());
+  // A turn with the valve open reaches beyond the bands that were checked to lie inside.
+  if (s.edges == EdgeMode::cover_all) join_corners(plan.order, paths.edges());
   return plan;
 }
 

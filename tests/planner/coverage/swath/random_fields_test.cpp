@@ -69,6 +69,8 @@ struct Verdict {
   double unbalanced = 0;  // share by which areas do not add up
   double sprayed_outside_m2 = 0;
   bool inside_only = false;
+  bool covers_all = false;
+  double covered = 0;
 };
 
 Verdict tried(std::uint64_t seed) {
@@ -85,7 +87,10 @@ Verdict tried(std::uint64_t seed) {
           .outside_m = outside_m(field, swath, *c),
           .unbalanced = std::abs(left_m2) / land_m2,
           .sprayed_outside_m2 = a.outside.base(),
-          .inside_only = settings.edges == EdgeMode::stay_inside && settings.headland_passes == 0};
+          .inside_only = settings.edges == EdgeMode::stay_inside && settings.headland_passes == 0,
+          .covers_all = settings.edges == EdgeMode::cover_all && settings.margin == Length{} &&
+                        settings.hole_buffer == Length{} && settings.min_strip == Length{},
+          .covered = covered_share(*c)};
 }
 
 void check_seeds(std::uint64_t first, std::uint64_t count) {
@@ -97,6 +102,7 @@ void check_seeds(std::uint64_t first, std::uint64_t count) {
     INFO("seed " << seed);
     CHECK(v.outside_m == 0);
     CHECK(v.unbalanced <= 1e-6);
+    if (v.covers_all) CHECK(v.covered >= 0.995);
     if (v.inside_only) CHECK(v.sprayed_outside_m2 <= 1e-3);
   }
   CHECK(planned > count / 2);
