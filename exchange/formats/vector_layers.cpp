@@ -39,19 +39,19 @@ Tag tag(const OGRFeature& feature, const OGRSpatialReference* crs) {
 
 OpenLayers::OpenLayers(const LandFile& file, Driver driver) {
   const auto [of_driver, extension] = names(driver);
-  const std::string stem = fmt::format("/vsimem/furrow_{}/land", static_cast<const void*>(this));
-  lay_out(fmt::format("{}.{}", stem, extension), file.bytes);
+  folder_ = fmt::format("/vsimem/furrow_{}", static_cast<const void*>(this));
+  const std::string stem = folder_ + "/land", main = fmt::format("{}.{}", stem, extension);
+  lay_out(main, file.bytes);
   if (driver == Driver::shapefile) {
     for (const auto& [name, bytes] : file.companions) lay_out(stem + "." + name, bytes);
   }
   const char* const drivers[] = {of_driver, nullptr};
-  dataset_.reset(
-      GDALDataset::Open(files_.front().c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, drivers));
+  dataset_.reset(GDALDataset::Open(main.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, drivers));
 }
 
 OpenLayers::~OpenLayers() {
   dataset_.reset();
-  for (const std::string& path : files_) VSIUnlink(path.c_str());
+  VSIRmdirRecursive(folder_.c_str());  // also what a driver wrote, like an index it restored
 }
 
 void OpenLayers::lay_out(const std::string& path, const std::string& bytes) {
@@ -59,7 +59,6 @@ void OpenLayers::lay_out(const std::string& path, const std::string& bytes) {
   auto* data = reinterpret_cast<GByte*>(const_cast<char*>(bytes.data()));
   VSILFILE* handle = VSIFileFromMemBuffer(path.c_str(), data, bytes.size(), FALSE);
   if (handle) VSIFCloseL(handle);
-  files_.push_back(path);
 }
 
 std::optional<Fault> read_vector_layers(const LandFile& file, Driver driver, Polygons& found) {

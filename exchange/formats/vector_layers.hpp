@@ -6,7 +6,6 @@
 
 #include <memory>
 #include <string>
-#include <vector>
 
 namespace furrow::exchange {
 
@@ -22,9 +21,9 @@ class OpenLayers {
   GDALDataset* dataset() const { return dataset_.get(); }
 
  private:
-  void lay_out(const std::string& path, const std::string& bytes);
+  static void lay_out(const std::string& path, const std::string& bytes);
 
-  std::vector<std::string> files_;
+  std::string folder_;
   std::unique_ptr<GDALDataset> dataset_;
 };
 

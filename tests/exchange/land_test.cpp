@@ -94,6 +94,14 @@ TEST_CASE("GML axes follow the form of the CRS name: latitude first in a URN") {
   }
 }
 
+TEST_CASE("A GAOS parcel is its boundary, with its hectares; its edges are not counted") {
+  const Land parcel = land("gaos_parcel.xml", 0);
+  REQUIRE(parcel.features == 1);
+  REQUIRE(parcel.name == "gaos_parcel");  // it has none of its own
+  REQUIRE(parcel.stated_area == hectares(6.15));
+  REQUIRE(area_m2(parcel.field) == Approx(quad_m2(51.781, 0.002, 0.004)).epsilon(1e-6));
+}
+
 TEST_CASE("An ISOXML part field keeps its holes, loses its obstacles, and ignores its zones") {
   const Land pond = land("taskdata/TASKDATA.XML", 0);
   REQUIRE(pond.features == 2);  // one has no boundary, one stands in the external file

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <cpl_string.h>
+#include <cpl_vsi.h>
 #include <ogrsf_frmts.h>
 #include <unistd.h>
 
@@ -89,6 +91,9 @@ TEST_CASE("A shapefile is read with its CRS and names, also without its index") 
   fs::remove(folder / "farm.shx");
   check_both_fields(folder / "farm.shp");
   CHECK(!fs::exists(folder / "farm.shx"));  // reading writes nothing
+  const GdalScope gdal;
+  const CPLStringList kept{VSIReadDirRecursive("/vsimem/")};
+  CHECK(kept.empty());  // nor keeps anything
 }
 
 TEST_CASE("A shapefile of metres without a CRS is refused") {
