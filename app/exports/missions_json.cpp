@@ -41,14 +41,18 @@ exchange::SortieTrack track(const Json& json) {
 
 }  // namespace
 
+nlohmann::ordered_json datum_json(const std::optional<exchange::Datum>& datum) {
+  if (!datum) return nullptr;
+  return {{"lat_deg", datum->lat_deg}, {"lon_deg", datum->lon_deg}};
+}
+
 std::string missions_json(const Missions& missions) {
   Json sorties = Json::array();
   for (const exchange::SortieTrack& track : missions.sorties) sorties.push_back(to_json(track));
-  Json datum;  // null
-  if (missions.datum) {
-    datum = {{"lat_deg", missions.datum->lat_deg}, {"lon_deg", missions.datum->lon_deg}};
-  }
-  return Json{{"version", 1}, {"datum", datum}, {"sorties", std::move(sorties)}}.dump(1) + "\n";
+  const Json all{{"version", 1},
+                 {"datum", datum_json(missions.datum)},
+                 {"sorties", std::move(sorties)}};
+  return all.dump(1) + "\n";
 }
 
 Expected<Missions, std::string> read_missions(const std::string& json) {

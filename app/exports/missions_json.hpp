@@ -4,6 +4,7 @@
 #include "core/expected.hpp"
 #include "exchange/missions.hpp"
 
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,6 +15,9 @@ struct Missions {
   std::optional<exchange::Datum> datum;  ///< None: the field has no known place on the globe.
   std::vector<exchange::SortieTrack> sorties;
 };
+
+/// {"lat_deg": ..., "lon_deg": ...}, or null.
+nlohmann::ordered_json datum_json(const std::optional<exchange::Datum>& datum);
 
 /// missions.json: metres in the field frame, the valve as 0 or 1 at each point.
 std::string missions_json(const Missions& missions);
