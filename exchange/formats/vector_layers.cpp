@@ -5,6 +5,9 @@
 #include <cpl_vsi.h>
 #include <fmt/format.h>
 
+#include <cstdint>
+#include <string_view>
+
 namespace furrow::exchange {
 
 namespace {
@@ -35,10 +38,35 @@ Tag tag(const OGRFeature& feature, const OGRSpatialReference* crs) {
   return tag;
 }
 
+// The four bytes at `at`, most significant first.
+std::uint32_t big_endian(std::string_view bytes, std::size_t at) {
+  std::uint32_t value = 0;
+  for (std::size_t i = at; i < at + 4; ++i) {
+    value = value << 8 | static_cast<unsigned char>(bytes[i]);
+  }
+  return value;
+}
+
+// GDAL restores a missing index record by record, and never ends where a length leads backwards.
+// Source: ESRI Shapefile Technical Description, 1998: lengths are in words of 2 bytes.
+bool has_sound_records(std::string_view bytes) {
+  constexpr std::size_t header = 100, record_header = 8;
+  if (bytes.size() < header) return false;
+  const std::size_t end = std::size_t{2} * big_endian(bytes, 24);
+  std::size_t at = header;
+  while (at < end) {
+    if (at + record_header > bytes.size()) return false;
+    at += record_header + std::size_t{2} * big_endian(bytes, at + 4);
+  }
+  return at == end && end <= bytes.size();
+}
+
 }  // namespace
 
 OpenLayers::OpenLayers(const LandFile& file, Driver driver) {
   const auto [of_driver, extension] = names(driver);
+  const bool restores_index = driver == Driver::shapefile && !file.companions.contains("shx");
+  if (restores_index && !has_sound_records(file.bytes)) return;
   folder_ = fmt::format("/vsimem/furrow_{}", static_cast<const void*>(this));
   const std::string stem = folder_ + "/land", main = fmt::format("{}.{}", stem, extension);
   lay_out(main, file.bytes);
@@ -51,7 +79,8 @@ OpenLayers::OpenLayers(const LandFile& file, Driver driver) {
 
 OpenLayers::~OpenLayers() {
   dataset_.reset();
-  VSIRmdirRecursive(folder_.c_str());  // also what a driver wrote, like an index it restored
+  if (!folder_.empty())
+    VSIRmdirRecursive(folder_.c_str());  // also what a driver wrote, like an index it restored
 }
 
 void OpenLayers::lay_out(const std::string& path, const std::string& bytes) {

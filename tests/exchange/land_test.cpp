@@ -133,6 +133,8 @@ TEST_CASE("A file that is no field is refused in one line, with the rule and wha
   CHECK(refusal("broken/garbage.gpkg").find("must be a sound GPKG file") != std::string::npos);
   CHECK(refusal("broken/garbage.shp").find("must be a sound ESRI Shapefile file") !=
         std::string::npos);
+  CHECK(refusal("broken/record_leads_backwards.shp").find("must be a sound ESRI Shapefile") !=
+        std::string::npos);
   for (const std::string file : {"broken/picture.png", "broken/table.csv"}) {
     CHECK(refusal(file).find("must be GeoJSON, KML, WKT, GML, shapefile, GeoPackage or ISOXML") !=
           std::string::npos);
