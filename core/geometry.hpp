@@ -8,12 +8,11 @@
 namespace furrow {
 
 struct FieldFrame;  ///< East-north plane, origin at the field datum, axes true east and true north.
-struct BodyFrame;   ///< Forward-right plane of one aircraft, origin at its centre of mass.
 
-/// A difference of positions, or any other plane vector, in one frame.
-template <class Frame, class Q = Length>
+/// A difference of positions in one frame.
+template <class Frame>
 struct Vector2 {
-  Q x, y;
+  Length x, y;
   friend constexpr bool operator==(const Vector2&, const Vector2&) = default;
 };
 
@@ -32,7 +31,6 @@ struct Position2 {
 
 using FieldPoint = Position2<FieldFrame>;
 using FieldVector = Vector2<FieldFrame>;
-using FieldVelocity = Vector2<FieldFrame, Speed>;
 
 /// A place in the field frame from metres east and metres north.
 constexpr FieldPoint at_m(double east_m, double north_m) {

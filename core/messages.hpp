@@ -115,8 +115,7 @@ struct Closure {
   Instant at;
 };
 
-/// Every closure that the scheduler has not yet booked, oldest first, and how far the window being
-/// worked on has come. A level, as WorkGrant.
+/// Every closure that the scheduler has not yet booked, oldest first. A level, as WorkGrant.
 struct WorkReport {
   AgentId agent;
   BootId boot;
@@ -212,7 +211,6 @@ struct SortieReport {
 struct TrackPoint {
   Instant at;
   FieldPoint position;
-  Length height;
   bool spraying;
 };
 

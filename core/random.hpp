@@ -2,10 +2,8 @@
 // Random numbers that are a function of what they are for, so that no run depends on the order in
 // which nodes happen to draw.
 
-#include <cmath>
 #include <cstdint>
 #include <initializer_list>
-#include <numbers>
 
 namespace furrow {
 
@@ -39,12 +37,6 @@ class Random {
   /// Uniform in 0 .. n-1, n >= 1.
   constexpr std::uint64_t below(std::uint64_t n) {
     return static_cast<std::uint64_t>(uniform() * static_cast<double>(n));
-  }
-
-  /// Mean 0, standard deviation 1. Source: Box, Muller 1958.
-  double normal() {
-    const double radius = std::sqrt(-2.0 * std::log(1.0 - uniform()));
-    return radius * std::cos(2.0 * std::numbers::pi * uniform());
   }
 
  private:

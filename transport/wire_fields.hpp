@@ -273,7 +273,6 @@ void fields(D& d, Seen<D, FlightRecord>& m, fleet::v1::FlightRecord& w) {
   d.sequence(m.track, w.track(), [](D& s, auto& point, fleet::v1::TrackPoint& p) {
     s(point.at, p.at_ns());
     fields(s, point.position, p.position());
-    s(point.height, p.height_m());
     s(point.spraying, p.spraying());
   });
 }

@@ -27,10 +27,8 @@ void add(FlightRecord::Deviation& sum, double cross_m) {
 }  // namespace
 
 void FlightLog::point(Instant at, const Aircraft& aircraft, bool is_spraying) {
-  record_.track.push_back({.at = at,
-                           .position = field_point(aircraft.truth_m()),
-                           .height = {},
-                           .spraying = is_spraying});
+  record_.track.push_back(
+      {.at = at, .position = field_point(aircraft.truth_m()), .spraying = is_spraying});
 }
 
 void FlightLog::sample(const Piece& strip, const Aircraft& aircraft) {

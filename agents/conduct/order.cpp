@@ -44,10 +44,6 @@ std::uint32_t Order::next_cell() const {
   return command_.sorties[sortie_].pieces[piece_].cells.first + in_piece_;
 }
 
-std::uint32_t Order::piece_end() const {
-  return end(command_.sorties[sortie_].pieces[piece_].cells);
-}
-
 std::vector<Piece> Order::rest_of_sortie() const {
   const auto& pieces = command_.sorties[sortie_].pieces;
   std::vector<Piece> rest(pieces.begin() + static_cast<std::ptrdiff_t>(piece_), pieces.end());

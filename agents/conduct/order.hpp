@@ -31,8 +31,6 @@ class Order {
   std::uint32_t next_cell() const;
   /// One past the last cell of the sortie. @pre !is_finished()
   std::uint32_t sortie_end() const { return end(command_.sorties[sortie_].pieces.back().cells); }
-  /// The one past the last cell of the piece being sprayed. @pre !is_finished()
-  std::uint32_t piece_end() const;
 
   /// What is left of the sortie: where a piece was left half-way, the rest of it continues from the
   /// last cell sprayed. @pre !is_finished()

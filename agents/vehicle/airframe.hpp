@@ -24,9 +24,6 @@ class Airframe {
   /// What moving air did to it in the last period [m/s2]: an inertial sensor tells it from thrust.
   Xy drag_mps2() const { return drag_; }
 
-  /// Horizontal thrust that the rotors can give [m/s2].
-  double thrust_limit_mps2() const { return thrust_limit_; }
-
  private:
   Xy position_, velocity_, drag_;
   double thrust_limit_;

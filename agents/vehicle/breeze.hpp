@@ -20,8 +20,6 @@ class Breeze {
   /// The wind one control period later [m/s].
   Xy next();
 
-  Xy mean_mps() const { return mean_; }
-
  private:
   Xy mean_, gust_;
   double sigma_, keep_, stir_;

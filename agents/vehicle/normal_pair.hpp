@@ -3,6 +3,9 @@
 #include "agents/xy.hpp"
 #include "core/random.hpp"
 
+#include <cmath>
+#include <numbers>
+
 namespace furrow::agents {
 
 /// Two independent numbers of mean 0 and standard deviation 1, for the price of one.

@@ -169,9 +169,8 @@ TEST_CASE("laws: L5 the valve open outside the field", "[sim]") {
   Script s = clean_run();
   FlightRecord stray = flight({0, 0});
   // Half a swath is 1 m: 0.9 m outside is the boom's edge, 1.1 m is a fault.
-  stray.track = {{at(4), at_m(2.9, 3), metres(2), true},
-                 {at(5), at_m(3.1, 3), metres(2), true},
-                 {at(5), at_m(9.0, 3), metres(2), false}};
+  stray.track = {
+      {at(4), at_m(2.9, 3), true}, {at(5), at_m(3.1, 3), true}, {at(5), at_m(9.0, 3), false}};
   s.say(node(one), 5.5, stray);
   s.say(scheduler_node(), 6, finished(4, 0));
   CHECK(broken_laws(facts(), s) == Laws{"L5"});

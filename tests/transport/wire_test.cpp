@@ -146,7 +146,6 @@ std::vector<Envelope> samples() {
                                    .fix = {.samples = 2, .sum_squares = 0.75, .largest = 0.125},
                                    .track = {{.at = Instant{Duration{5}},
                                               .position = at_m(1, 2),
-                                              .height = metres(3),
                                               .spraying = true}}})};
 }
 
