@@ -104,6 +104,7 @@ enum class CloseReason : std::uint8_t {
   tank_low = 2,     ///< The tank would not carry the rest.
   battery_low = 3,  ///< The pack would not carry the rest and the way home.
   superseded = 4,   ///< A newer revision or epoch took over.
+  strayed = 5,      ///< It could not be held on its line.
 };
 
 /// What became of a granted window. The evidence on which the ledger rests.

@@ -170,7 +170,7 @@ void fields(D& d, Seen<D, WorkReport>& m, fleet::v1::WorkReport& w) {
     s(closure.grant, c.grant_id());
     fields(s, closure.cells, c.cells());
     s(closure.sprayed, c.sprayed_cells());
-    s.bounded(closure.reason, c.reason(), CloseReason::sprayed, CloseReason::superseded);
+    s.bounded(closure.reason, c.reason(), CloseReason::sprayed, CloseReason::strayed);
     s(closure.at, c.at_ns());
   });
 }

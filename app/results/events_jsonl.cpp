@@ -31,6 +31,7 @@ const char* name(CloseReason reason) {
     case CloseReason::tank_low: return "tank_low";
     case CloseReason::battery_low: return "battery_low";
     case CloseReason::superseded: return "superseded";
+    case CloseReason::strayed: return "strayed";
   }
   return "unknown";
 }
