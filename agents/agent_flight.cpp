@@ -13,6 +13,7 @@ constexpr double no_stop = std::numeric_limits<double>::infinity();
 constexpr double hover_m = 0.5;        // a hovering aircraft is where it means to be, within this
 constexpr double tank_slack_m = 1e-3;  // rounding of a tank filled to the very metre
 constexpr double way_home_slack_s = 2.0;
+constexpr int most_strays = 3;  // from one cell, until it gives up
 
 }  // namespace
 
@@ -33,6 +34,7 @@ void AgentNode::fly_one_period(Instant t) {
 
 // Sprays what lies between the last position along the path and this one.
 void AgentNode::work(Instant t) {
+  if (is_astray_) return;
   double reached_m = aircraft_.along_m();
   if (aircraft_.is_at_rest(stop_m_) && reached_m > stop_m_ - hover_m) reached_m = stop_m_;
   reached_m = std::clamp(reached_m, progress_m_, std::max(stop_m_, progress_m_));
@@ -42,6 +44,8 @@ void AgentNode::work(Instant t) {
     flush_flight_log();
     phase_ = Phase::spray;
   }
+  const bool would_spray = reached_m >= piece.open_m && progress_m_ < stop_m_;
+  if (would_spray && is_off_line()) return stray(t);
   if (is_valve_open_ && reached_m > piece.from_m && aircraft_.pilot().segment().is_straight()) {
     log_.sample(piece.piece, aircraft_);
   }
@@ -82,6 +86,7 @@ void AgentNode::pass_cell(Instant t) {
   log_.cell(cell, strip, aircraft_);
   const bool closed = ledger_.spray(cell, t);
   order_->spray();
+  strays_ = 0;
   if (closed) next_report_ = t;
   if (++route_cell_ == strip.cells.count && !route_->pieces[route_piece_].has_tail()) {
     end_piece(t);
@@ -119,6 +124,35 @@ void AgentNode::move_valve(bool open, Instant t) {
   if (t != on_grid(t, whole_second)) log_.point(t, aircraft_, open);
 }
 
+// Sprayed is what lies within half a swath of the line: beyond it the mix falls on other strips.
+bool AgentNode::is_off_line() const {
+  return std::abs(aircraft_.pilot().deviation_now().cross_m) > 0.5 * vehicle_.swath.base();
+}
+
+// Nothing counts any more until it has stopped and come back.
+void AgentNode::stray(Instant t) {
+  if (is_valve_open_) move_valve(false, t);
+  note("off_line", "is " + fixed(std::abs(aircraft_.pilot().deviation_now().cross_m), 2) +
+                       " m beside its line and closes its valve");
+  if (is_on_tail()) return end_piece(t);  // all of its cells are sprayed
+  flush_flight_log();
+  is_astray_ = true;
+  if (phase_ == Phase::hold || leaving_) return;
+  phase_ = Phase::hold;
+  stop_m_ = aircraft_.pilot().pace().along_m() + aircraft_.pilot().pace().braking_m();
+}
+
+// Takes up work at the first cell that is not sprayed, unless that failed too often.
+void AgentNode::return_to_line(Instant t) {
+  is_astray_ = false;
+  if (++strays_ > most_strays) {
+    is_unfit_ = true;
+    return leave(CloseReason::strayed, t);
+  }
+  route_->pieces.clear();
+  relicense();
+}
+
 // Turns for home while energy and mix still suffice for it. The way home is flown at ferry speed
 // whatever the wind, as far as an order is taken at all; the slack covers braking and turning.
 void AgentNode::watch_stores(Instant t) {
@@ -144,7 +178,9 @@ void AgentNode::leave(CloseReason reason, Instant t) {
   const auto& stores = aircraft_.stores;
   if (reason != CloseReason::superseded) {
     note("return_early",
-         (reason == CloseReason::tank_low ? "returns for mix, " : "returns for energy, ") +
+         (reason == CloseReason::tank_low  ? "returns for mix, "
+          : reason == CloseReason::strayed ? "cannot be held on its line and returns, "
+                                           : "returns for energy, ") +
              fixed(100.0 * stores.tank_share, 1) + " % of a tank and " +
              fixed(100.0 * stores.pack_share, 1) + " % of a pack left");
   }
@@ -173,12 +209,14 @@ double AgentNode::leaving_stop_m() const {
 void AgentNode::come_to_rest(Instant t) {
   if (leaving_ == CloseReason::superseded) {
     leaving_.reset();
+    is_astray_ = false;
     route_->pieces.clear();
     if (order_->is_finished()) return fly_home(t);
     phase_ = Phase::hold;
     return relicense();
   }
   if (leaving_) return fly_home(t);
+  if (is_astray_) return return_to_line(t);
   if (phase_ == Phase::fly_back) return land(t);
   if (phase_ != Phase::hold && stop_m_ < no_stop) begin_hold(t);
 }
@@ -200,6 +238,7 @@ void AgentNode::fly_home(Instant t) {
   ledger_.close_all(leaving_.value_or(CloseReason::superseded), t);
   next_report_ = t;
   leaving_.reset();
+  is_astray_ = false;
   flush_flight_log();
   sortie_.spray_ended = t;
   sortie_.returned_at = field_point(aircraft_.estimate_m());
@@ -221,7 +260,8 @@ void AgentNode::follow(SortieRoute route) {
 
 // Where grants let the aircraft go from now on.
 void AgentNode::relicense() {
-  if (!is_airborne() || phase_ == Phase::fly_back || leaving_ || !is_licensed()) return;
+  if (!is_airborne() || phase_ == Phase::fly_back || leaving_ || is_astray_ || !is_licensed())
+    return;
   if (route_->pieces.empty()) {  // hovers without a way: a new order came
     const auto rest = order_->rest_of_sortie();
     home_ = station(order_->station());

@@ -29,6 +29,7 @@ void AgentNode::adopt(const Command& command, Instant now) {
     fault = "gusts of " + fixed(wind_mps, 1) + " m/s leave no headway, " +
             fixed(workable_wind_mps(vehicle_), 1) + " m/s is the most";
   }
+  if (!fault) fault = unholdable(vehicle_);
   if (!fault) return replace_order(command, now);
   send(CommandAck{.agent = vehicle_.id,
                   .boot = settings_.boot,
@@ -179,14 +180,25 @@ void AgentNode::land(Instant t) {
   sortie_.battery_used = sortie_.flight / vehicle_.flight_endurance;
   sortie_.ferried = metres(flown_m_ + aircraft_.pilot().pace().along_m()) - sortie_.sprayed;
   if (order_->is_finished()) return finish(t);
+  if (is_unfit_) return leave_fleet(t);
   phase_ = Phase::wait;
   prepare(t);
+}
+
+void AgentNode::leave_fleet(Instant t) {
+  report_sortie();
+  ledger_.close_all(CloseReason::strayed, t);
+  send_report(t);
+  phase_ = Phase::offline;
+  acknowledge(AckStatus::failed,
+              "could not be held on its line at cell " + std::to_string(order_->next_cell()));
 }
 
 // The pack is empty in the air. Nothing but a broken model of energy leads here, yet nobody else
 // may be made to wait for this aircraft.
 void AgentNode::fall(Instant t) {
-  if (is_valve_open_) move_valve(false, t);
+  is_valve_open_ = false;
+  log_.point(t, aircraft_, false);
   aircraft_.land();
   flush_flight_log();
   ledger_.close_all(CloseReason::battery_low, t);

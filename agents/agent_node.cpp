@@ -141,7 +141,7 @@ Instant AgentNode::next_flight_event(Instant now) const {
     target_m = std::min(target_m, progress_m_ < piece.open_m ? piece.open_m : piece.close_m);
   }
   const double rest_m = target_m - aircraft_.along_m();
-  if (phase_ == Phase::hold && !leaving_) return never;
+  if (phase_ == Phase::hold && !leaving_ && !is_astray_) return never;
   const double speed_mps = std::max(vehicle_.ferry_speed, vehicle_.spray_speed).base();
   const double periods = std::max(1.0, std::floor(rest_m / speed_mps / control_period_s));
   return std::max(last_tick_ + static_cast<int>(periods) * control_period,

@@ -52,6 +52,9 @@ class AgentNode {
   void end_piece(Instant t);
   void expect_next_cell();
   void move_valve(bool open, Instant t);
+  bool is_off_line() const;
+  void stray(Instant t);
+  void return_to_line(Instant t);
   void watch_stores(Instant t);
   void leave(CloseReason reason, Instant t);
   double leaving_stop_m() const;
@@ -78,6 +81,7 @@ class AgentNode {
   bool is_licensed() const;
   void take_off(SortieRoute route, Instant t);
   void land(Instant t);
+  void leave_fleet(Instant t);
   void fall(Instant t);
   void finish(Instant t);
   void report_sortie();
@@ -107,6 +111,9 @@ class AgentNode {
   double next_cell_m_ = 0.0, progress_m_ = 0.0, stop_m_ = 0.0, spray_left_m_ = 0.0;
   double flown_m_ = 0.0;  // on earlier routes of this sortie
   bool is_valve_open_ = false;
+  bool is_astray_ = false;  // stops with the valve closed, to return to its line
+  int strays_ = 0;          // since the last cell
+  bool is_unfit_ = false;   // could not be held on its line
   std::optional<CloseReason> leaving_;
   SortieReport sortie_{};
   bool has_unreported_sortie_ = false;

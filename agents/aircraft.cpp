@@ -1,6 +1,7 @@
 #include "agents/aircraft.hpp"
 
 #include "agents/control_clock.hpp"
+#include "agents/text.hpp"
 #include "core/random.hpp"
 
 namespace furrow::agents {
@@ -15,6 +16,20 @@ std::uint64_t own_seed(const AgentSettings& s, std::uint64_t purpose) {
 }
 
 }  // namespace
+
+std::optional<std::string> unholdable(const Vehicle& v) {
+  constexpr double least_mps2 = 0.5;
+  const double step_m = v.spray_speed.base() * control_period_s;
+  if (step_m > 0.5 * v.swath.base()) {
+    return "no autopilot of 10 Hz holds " + fixed(v.spray_speed.base(), 1) + " m/s on a swath of " +
+           fixed(v.swath.base(), 2) + " m, " + fixed(5.0 * v.swath.base(), 1) + " m/s is the most";
+  }
+  if (v.acceleration_limit.base() < least_mps2) {
+    return "an acceleration of " + fixed(v.acceleration_limit.base(), 2) +
+           " m/s2 does not hold it on its line, " + fixed(least_mps2, 2) + " m/s2 is the least";
+  }
+  return std::nullopt;
+}
 
 Aircraft::Aircraft(const AgentSettings& s)
     : vehicle_{s.vehicle},

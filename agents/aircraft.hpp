@@ -8,12 +8,25 @@
 #include "agents/vehicle/breeze.hpp"
 #include "agents/vehicle/stores.hpp"
 
+#include <optional>
+#include <string>
+
 namespace furrow::agents {
 
 /// The same as a plain number, for the control loop [m/s2].
 inline double planned_acceleration_mps2(const Vehicle& vehicle) {
   return planned_acceleration(vehicle).base();
 }
+
+/// Why an autopilot that senses and acts ten times a second cannot hold a vehicle on its line, or
+/// nothing when it can. Within these limits flights on strips of any swath, still or in 3 m/s of
+/// wind, at up to 100 m/s2, were held within half a swath; beyond them not.
+///
+/// - In one control period it may fly half a swath at most at spray speed: corners are arcs of
+/// about
+///   that length, and the valve opens and closes no finer.
+/// - It must be able to accelerate by more than the noise of its measured velocity calls for.
+std::optional<std::string> unholdable(const Vehicle& vehicle);
 
 /// A simulated aircraft with its sensors and its autopilot, without any purpose of its own.
 class Aircraft {

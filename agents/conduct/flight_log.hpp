@@ -10,6 +10,7 @@ class FlightLog {
  public:
   explicit FlightLog(AgentId agent) { record_.agent = agent; }
 
+  /// A later word on the same instant replaces the earlier.
   void point(Instant at, const Aircraft& aircraft, bool is_spraying);
   /// A control period on a strip with the valve open.
   void sample(const Piece& strip, const Aircraft& aircraft);

@@ -152,7 +152,7 @@ TEST_CASE("agent: a tank too small brings it home, never below zero, and adds up
     CHECK(s.sprayed.base() <= 240.001);
   }
   const auto states = all<AgentState>(log);
-  for (const auto& s : states) CHECK(s.tank >= 0.0);
+  for (const auto& s : states) CHECK(s.tank >= -1e-12);
   CHECK(filled - sprayed_m / 240.0 == Approx(states.back().tank).margin(1e-4));
 }
 
@@ -274,6 +274,109 @@ TEST_CASE("agent: rejects what cannot be flown, and says why", "[agents]") {
   CHECK(answer(settings_of(sprayer(), {.mean = metres_per_second(14), .from_deg = 0, .gust = {}}),
                {{strips(2, 10), StationId{1}}}) ==
         "gusts of 14.0 m/s leave no headway, 12.0 m/s is the most");
+}
+
+TEST_CASE("agent: refuses what a 10 Hz autopilot cannot hold, and says why", "[agents]") {
+  const auto answer = [](const Vehicle& v) {
+    const auto acks = all<CommandAck>(fly(
+        settings_of(v), {.sorties = {{strips(2, 10), StationId{1}}}}, mission_start + 2 * second));
+    REQUIRE_FALSE(acks.empty());
+    return acks.front().reason;
+  };
+  Vehicle fast = sprayer();  // 10 m/s are 1 m a period, half a swath of 2 m
+  fast.spray_speed = metres_per_second(10);
+  CHECK(answer(fast).empty());
+  fast.spray_speed = metres_per_second(30);
+  CHECK(answer(fast) ==
+        "no autopilot of 10 Hz holds 30.0 m/s on a swath of 2.00 m, 10.0 m/s is the most");
+  Vehicle lame = sprayer();
+  lame.acceleration_limit = metres_per_second2(0.1);
+  CHECK(answer(lame) ==
+        "an acceleration of 0.10 m/s2 does not hold it on its line, 0.50 m/s2 is the least");
+}
+
+TEST_CASE("agent: a gust that blows it off its line closes the valve, and it comes back",
+          "[agents]") {
+  Vehicle v = sprayer();
+  v.acceleration_limit = metres_per_second2(0.6);
+  v.ferry_speed = metres_per_second(12);  // workable up to 12 + 2 * 0.6 m/s
+  v.flight_endurance = seconds(3000);
+  const Wind rough{.mean = metres_per_second(4), .from_deg = 270, .gust = metres_per_second(4)};
+  const auto log = fly(settings_of(v, rough), three_strips(), an_hour);
+  REQUIRE(contains(event_kinds(log), "off_line"));
+  CHECK(each_once(log, 300));
+  // Half a swath of 1 m, and what it moves within a period and the lag of one.
+  for (const auto& record : all<FlightRecord>(log)) {
+    for (const float offset_m : record.offsets_m) CHECK(std::abs(offset_m) < 1.0 + 0.3);
+    for (const TrackPoint& p : record.track) {
+      if (p.spraying) CHECK(p.position.x.base() == Approx(3.0).margin(2.0 + 1.0 + 0.3));
+    }
+  }
+}
+
+TEST_CASE("agent: one that cannot be kept on its line comes home and gives its work back",
+          "[agents]") {
+  Vehicle v = sprayer();
+  v.acceleration_limit = metres_per_second2(0.5);
+  v.ferry_speed = metres_per_second(12);
+  v.swath = metres(0.7);  // of strips 2 m apart
+  v.flight_endurance = seconds(3000);
+  const Wind wild{.mean = {}, .from_deg = 270, .gust = metres_per_second(6)};
+  const auto log = fly(settings_of(v, wild), three_strips(), an_hour);
+  CHECK(contains(event_kinds(log), "return_early"));
+  CHECK(all<CommandAck>(log).back().status == AckStatus::failed);
+  CHECK(all<AgentState>(log).back().phase == Phase::offline);
+  std::uint32_t closed = 0;
+  const auto reports = all<WorkReport>(log);
+  for (const auto& closure : reports.back().closures) {
+    CHECK(closure.reason == CloseReason::strayed);
+    closed += closure.sprayed < closure.cells.count;
+  }
+  CHECK(closed > 0);
+  for (const auto& [cell, times] : passes(log)) CHECK(times == 1);
+}
+
+TEST_CASE("agent: without a scheduler it sprays what was granted and no more, then comes home",
+          "[agents]") {
+  Vehicle v = sprayer();
+  v.flight_endurance = seconds(300);
+  auto scheduler = three_strips();
+  scheduler.silent_from = mission_start + 20 * second;  // two windows are granted
+  const auto log = fly(settings_of(v), scheduler, an_hour);
+
+  CHECK(contains(event_kinds(log), "scheduler_silent"));
+  CHECK(each_once(log, 150));  // the first strip and the first half of the second
+  const auto states = all<AgentState>(log);
+  CHECK((states.back().position == at_m(0, 0) ||
+         distance(states.back().position, at_m(0, 0)).base() < 1.0));
+  CHECK((states.back().phase == Phase::wait || states.back().phase == Phase::service));
+  // Closed within a second of the last granted cell, wherever it then is.
+  bool is_open = false;
+  for (const auto& record : all<FlightRecord>(log)) {
+    for (const TrackPoint& p : record.track) is_open = p.spraying;
+  }
+  CHECK_FALSE(is_open);
+}
+
+TEST_CASE("agent: a lost answer to a command is given again when the command is", "[agents]") {
+  const Link lossy{.latency = Duration{50'000'000}, .jitter = {}, .loss = 0.3, .duplication = 0};
+  auto scheduler = three_strips();
+  const auto log = fly(settings_of(sprayer()), scheduler, an_hour, lossy);
+  CHECK(each_once(log, 300));
+
+  AgentNode agent{settings_of(sprayer())};
+  const Command command{agent_7, boot_1, Epoch{1}, 1, scheduler.sorties};
+  agent.step({}, mission_start);
+  std::vector<AckStatus> answers;
+  for (int s = 1; s <= 3; ++s) {
+    const auto seq = static_cast<std::uint64_t>(s);
+    const Instant now = mission_start + s * second;
+    for (const Body& b : agent.step({{scheduler_node(), seq, now, command}}, now).messages) {
+      if (const auto* ack = std::get_if<CommandAck>(&b)) answers.push_back(ack->status);
+    }
+  }
+  CHECK(answers == std::vector{AckStatus::received, AckStatus::accepted, AckStatus::accepted,
+                               AckStatus::accepted});
 }
 
 }  // namespace

@@ -82,31 +82,42 @@ inline std::vector<SortieOrder> two_sorties(const std::vector<Piece>& pieces, st
   return sorties;
 }
 
-/// Commands one plan at the first introduction, grants each piece and what closures leave over.
+/// Commands one plan at the first introduction and until it is answered, grants each piece and what
+/// closures leave over.
 struct ScriptedScheduler {
   std::vector<SortieOrder> sorties;
   std::function<bool(CellRange, Instant)> may_grant = [](CellRange, Instant) { return true; };
   int repeats = 1;  // each message so many times
+  Instant silent_from = never;
 
-  bool commanded = false, finished = false;
+  bool commanded = false, acknowledged = false, finished = false;
+  Instant commanded_at{};
   std::uint64_t next_id = 1, closed_through = 0;
   std::vector<CellRange> ungranted{};
   std::map<std::uint64_t, GrantWindow> open{};
 
   Outbox step(const Inbox& inbox, Instant now) {
     Outbox out;
+    if (now >= silent_from) return out;
     bool is_introduced = commanded;
     for (const auto& e : inbox) {
       is_introduced |= std::holds_alternative<AgentInfo>(e.body);
       if (const auto* r = std::get_if<WorkReport>(&e.body)) book(*r);
       if (const auto* s = std::get_if<AgentState>(&e.body)) finished |= s->phase == Phase::done;
+      if (const auto* a = std::get_if<CommandAck>(&e.body)) {
+        acknowledged |= a->status != AckStatus::received;
+      }
     }
     if (is_introduced && !commanded) {
       commanded = true;
       for (const auto& s : sorties) {
         for (const auto& p : s.pieces) ungranted.push_back(p.cells);
       }
+      commanded_at = now - 2 * second;
+    }
+    if (commanded && !acknowledged && now >= commanded_at + 2 * second) {
       out.messages.push_back(Command{agent_7, boot_1, Epoch{1}, 1, sorties});
+      commanded_at = now;
     }
     while (!ungranted.empty() && open.size() < 2 && may_grant(ungranted.front(), now)) {
       open[next_id] = {next_id, ungranted.front()};
