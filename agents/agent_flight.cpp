@@ -29,7 +29,9 @@ void AgentNode::fly_one_period(Instant t) {
   if (t == on_grid(t, whole_second)) log_.point(t, aircraft_, is_valve_open_);
   if (aircraft_.stores.pack_share <= 0.0) return fall(t);
   if (phase_ != Phase::fly_back) watch_stores(t);
-  if (aircraft_.is_at_rest(stop_m_)) come_to_rest(t);
+  // What blew it off its line may not let it hover either.
+  const bool has_braked = is_astray_ && aircraft_.pilot().pace().is_at_rest();
+  if (aircraft_.is_at_rest(stop_m_) || has_braked) come_to_rest(t);
 }
 
 // Sprays what lies between the last position along the path and this one.

@@ -66,7 +66,7 @@ void AgentNode::live_until(Instant now) {
     while (is_airborne() && last_tick_ + control_period <= now) {
       fly_one_period(last_tick_ + control_period);
     }
-    if (is_airborne()) return;
+    if (is_airborne() || phase_ == Phase::offline) return;
     if (visit_ && visit_->is_served(now)) {
       leave_bay();
     } else if (is_prepared_ && is_licensed()) {
