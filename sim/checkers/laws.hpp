@@ -3,19 +3,24 @@
 //
 // Work     L1  each cell is sprayed at most once
 //          L2  at the end each cell is sprayed or reported, none is silent
-//          L5  dose within tolerance, nothing sprayed outside the field
+//          L5  dose within tolerance, nothing sprayed outside the field, in a hole or on an
+//              obstacle, valve closed in every phase but spray
 //          L6  work only on a grant newer than the last
-// Energy   L7  no one goes on with less than the way home and the reserve
+// Energy   L7  no one takes off or goes on with less than the way home against the mean wind and
+//              the reserve
 //          L8  never below the reserve in flight, tank never below zero, liquid adds up
 // Stations L9  never two aircraft in one bay
 //          L10 a bay is not held by the dead for longer than its lease and a grace
 //          L11 first come first served
-//          L12 each refill counted once
+//          L12 each refill counted once; mix and packs do not run out here, so "stock never
+//              negative" has nothing to judge
+// Senders  L21 nobody unknown is spoken of: the other laws go on without what such messages say
 // Log      L17 every sender's log is complete and in order, so equal runs have equal digests
 
 #include "core/field.hpp"
 #include "core/messages.hpp"
 #include "core/station.hpp"
+#include "core/weather.hpp"
 #include "scheduler/fleet_plan.hpp"
 #include "sim/checkers/violation.hpp"
 
@@ -31,6 +36,7 @@ struct Facts {
   scheduler::FleetPlan plan;
   Duration claim_lease;  ///< A claim not renewed for this long is void.
   bool whole;            ///< The log ends because the mission did, so L2 must hold.
+  Wind wind{};
 };
 
 /// One group of laws. `observe` takes every envelope in the log's order.
@@ -56,6 +62,7 @@ std::unique_ptr<Checker> work_laws(const Facts& facts);
 std::unique_ptr<Checker> energy_laws(const Facts& facts);
 std::unique_ptr<Checker> station_laws(const Facts& facts);
 std::unique_ptr<Checker> log_laws(const Facts& facts);
+std::unique_ptr<Checker> sender_laws(const Facts& facts);
 
 /// Every violation in a log, by time.
 std::vector<Violation> violations(const Facts& facts, const std::vector<Envelope>& log,

@@ -71,8 +71,9 @@ class StationLaws final : public Checker {
     check_turn(books, grant, at);
     const auto claim = books.claims.find(grant.agent);
     if (claim != books.claims.end()) {
+      const auto tank = tanks_.find(grant.agent);
       books.swaps += claim->second.last.swap;
-      books.filled_l += claim->second.last.fill * tanks_.at(grant.agent).base();
+      if (tank != tanks_.end()) books.filled_l += claim->second.last.fill * tank->second.base();
     }
     books.holders[grant.bay] = {grant, std::nullopt};
   }
