@@ -4,24 +4,34 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <map>
+#include <set>
+#include <string>
+#include <utility>
 
 namespace furrow::sim {
 namespace {
 
-// Whether a point is inside the boundary or within `slack_m` of it.
-bool is_inside(const Ring& ring, FieldPoint p, double slack_m) {
-  const double x = p.x.base(), y = p.y.base();
-  bool inside = false;
-  double nearest_m = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
-    const double x1 = ring[j].x.base(), y1 = ring[j].y.base();
-    const double dx = ring[i].x.base() - x1, dy = ring[i].y.base() - y1;
-    if ((y1 > y) != (y1 + dy > y) && x < x1 + dx * (y - y1) / dy) inside = !inside;
-    const double along =
-        std::clamp(((x - x1) * dx + (y - y1) * dy) / std::max(dx * dx + dy * dy, 1e-12), 0.0, 1.0);
-    nearest_m = std::min(nearest_m, std::hypot(x - x1 - along * dx, y - y1 - along * dy));
+// Whether `p` is inside of `ring` by more than `slack`.
+bool is_deep_inside(const Ring& ring, FieldPoint p, Length slack) {
+  return contains(ring, p) && edge_distance(ring, p) > slack;
+}
+
+bool is_outside(const Ring& ring, FieldPoint p, Length slack) {
+  return !contains(ring, p) && edge_distance(ring, p) > slack;
+}
+
+// What nobody may spray at `p`, as words, or nothing.
+std::string forbidden(const Field& field, FieldPoint p, Length slack) {
+  if (is_outside(field.boundary, p, slack)) return "outside the field";
+  for (const Ring& hole : field.holes) {
+    if (is_deep_inside(hole, p, slack)) return "inside a hole";
   }
-  return inside || nearest_m <= slack_m;
+  for (const Obstacle& obstacle : field.obstacles) {
+    if (distance(obstacle.center, p) < obstacle.radius - slack) {
+      return "inside obstacle " + obstacle.id;
+    }
+  }
+  return {};
 }
 
 class WorkLaws final : public Checker {
@@ -40,9 +50,11 @@ class WorkLaws final : public Checker {
     if (const auto* report = std::get_if<WorkReport>(&e.body)) observe_report(*report, e.sent);
     if (const auto* sortie = std::get_if<SortieReport>(&e.body)) observe_sortie(*sortie, e.sent);
     if (const auto* state = std::get_if<SchedulerState>(&e.body)) last_state_ = *state;
+    if (const auto* state = std::get_if<AgentState>(&e.body)) observe_phase(*state, e.sent);
   }
 
   void conclude(Instant ended) override {
+    check_valves();
     if (!facts_.whole) return;
     const auto booked = static_cast<std::uint32_t>(
         std::count_if(booked_.begin(), booked_.end(), [](int n) { return n > 0; }));
@@ -114,15 +126,32 @@ class WorkLaws final : public Checker {
 
   // Half a swath and what the fix may be off by: nobody can steer closer than he sees.
   void observe_track(const FlightRecord& flown) {
-    const Vehicle& vehicle = vehicles_.at(flown.agent);
-    const double slack_m =
-        0.5 * vehicle.swath.base() + vehicle.gnss.bias.base() + 4.0 * vehicle.gnss.sigma.base();
+    const auto known = vehicles_.find(flown.agent);
+    if (known == vehicles_.end()) return;
+    const Vehicle& vehicle = known->second;
+    const Length slack = 0.5 * vehicle.swath + vehicle.gnss.bias + 4.0 * vehicle.gnss.sigma;
     for (const TrackPoint& point : flown.track) {
-      if (!point.spraying || is_inside(facts_.field.boundary, point.position, slack_m)) continue;
+      if (!point.spraying) continue;
+      open_valves_.insert({flown.agent, point.at});
+      const std::string where = forbidden(facts_.field, point.position, slack);
+      if (where.empty()) continue;
       report("L5", point.at,
-             fmt::format("{} sprayed at ({:.1f}, {:.1f}) m, more than {:.2f} m outside the field",
+             fmt::format("{} sprayed at ({:.1f}, {:.1f}) m, more than {:.2f} m {}",
                          text(node(flown.agent)), point.position.x.base(), point.position.y.base(),
-                         slack_m));
+                         slack.base(), where));
+    }
+  }
+
+  // A record of the flight comes after the heartbeat, so both are compared at the end.
+  void observe_phase(const AgentState& state, Instant at) {
+    if (state.phase != Phase::spray) closed_valves_.insert({state.agent, at});
+  }
+
+  void check_valves() {
+    for (const auto& [agent, at] : open_valves_) {
+      if (!closed_valves_.contains({agent, at})) continue;
+      report("L5", at,
+             fmt::format("{} has its valve open while it does not spray", text(node(agent))));
     }
   }
 
@@ -145,6 +174,13 @@ class WorkLaws final : public Checker {
                         text(node(reported.agent)), closure.grant, known->second, closure.sprayed));
       }
       if (!is_new) continue;
+      if (closure.cells.first > booked_.size() ||
+          closure.sprayed > booked_.size() - closure.cells.first) {
+        report("L6", at,
+               fmt::format("{} closed grant {} of cells that are none of the field",
+                           text(node(reported.agent)), closure.grant));
+        continue;
+      }
       for (std::uint32_t i = 0; i < closure.sprayed; ++i) {
         if (++booked_[closure.cells.first + i] > 1) {
           report("L1", at,
@@ -177,6 +213,7 @@ class WorkLaws final : public Checker {
   std::vector<double> cell_m_;  // sprayed per cell
   std::map<AgentId, Work> work_;
   std::vector<int> sprayed_, booked_;  // how often, by cell: in truth, and as closed
+  std::set<std::pair<AgentId, Instant>> open_valves_, closed_valves_;  // by whom and when
   SchedulerState last_state_{};
 };
 
