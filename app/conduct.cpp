@@ -26,7 +26,8 @@ std::vector<sim::Violation> judged(const MissionRecord& record, const Flight& fl
                          .stations = record.scenario.stations,
                          .plan = record.plan,
                          .claim_lease = record.scenario.agent_lease,
-                         .whole = flight.log.finished};
+                         .whole = flight.log.finished,
+                         .wind = record.scenario.wind};
   return sim::violations(facts, record.log, flight.log.ended);
 }
 

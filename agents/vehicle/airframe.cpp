@@ -2,6 +2,8 @@
 
 #include "agents/control_clock.hpp"
 
+#include <algorithm>
+
 namespace furrow::agents {
 namespace {
 
@@ -21,6 +23,11 @@ void Airframe::advance(Xy thrust_mps2, Xy wind_mps) {
   const Xy before = velocity_;
   velocity_ = velocity_ + control_period_s * acceleration;
   position_ = position_ + (0.5 * control_period_s) * (before + velocity_);
+}
+
+double headway_mps(const Vehicle& v, double head_wind_mps) {
+  const double top_mps = thrust_limit(v) / drag_per_s;  // through the air
+  return std::min(v.ferry_speed.base(), top_mps - head_wind_mps);
 }
 
 double workable_wind_mps(const Vehicle& v) {

@@ -32,6 +32,10 @@ class Airframe {
 /// Acceleration per speed through the air [1/s]: linear drag of a loaded multirotor.
 inline constexpr double drag_per_s = 0.25;
 
+/// Speed over ground [m/s] that it makes on a straight ferry against a steady `head_wind`; tail
+/// wind, below 0, is no gain. Not above 0 where it would be blown away.
+double headway_mps(const Vehicle& vehicle, double head_wind_mps);
+
 /// The strongest steady wind [m/s] in which the aircraft still makes its ferry speed in every
 /// direction with half of its acceleration limit in hand.
 double workable_wind_mps(const Vehicle& vehicle);
