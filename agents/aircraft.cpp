@@ -4,6 +4,9 @@
 #include "agents/text.hpp"
 #include "core/random.hpp"
 
+#include <algorithm>
+#include <numbers>
+
 namespace furrow::agents {
 namespace {
 
@@ -15,18 +18,35 @@ std::uint64_t own_seed(const AgentSettings& s, std::uint64_t purpose) {
   return seed_for(s.seed, {purpose, number(s.vehicle.id)});
 }
 
+// Time in the arc of a right-angled corner between strips.
+double corner_s(const Vehicle& v) {
+  const double radius_m = 0.5 * v.swath.base();
+  const double speed =
+      std::min(v.spray_speed.base(), arc_speed_mps(planned_acceleration_mps2(v), radius_m));
+  return 0.5 * std::numbers::pi * radius_m / speed;
+}
+
 }  // namespace
 
 std::optional<std::string> unholdable(const Vehicle& v) {
-  constexpr double least_mps2 = 0.5;
-  const double step_m = v.spray_speed.base() * control_period_s;
-  if (step_m > 0.5 * v.swath.base()) {
-    return "no autopilot of 10 Hz holds " + fixed(v.spray_speed.base(), 1) + " m/s on a swath of " +
-           fixed(v.swath.base(), 2) + " m, " + fixed(5.0 * v.swath.base(), 1) + " m/s is the most";
-  }
+  constexpr double least_mps2 = 0.5, least_arc_s = 5 * control_period_s, round_off = 1e-9;
+  const double swath_m = v.swath.base(), spray = v.spray_speed.base(), ferry = v.ferry_speed.base();
+  const auto too_fast = [&](double speed, double most) {
+    return "no autopilot of 10 Hz holds " + fixed(speed, 1) + " m/s on a swath of " +
+           fixed(swath_m, 2) + " m, " + fixed(most, 1) + " m/s is the most";
+  };
+  const double most_spray = 0.5 * swath_m / control_period_s, most_ferry = 2.0 * most_spray;
+  if (spray > most_spray + round_off) return too_fast(spray, most_spray);
+  if (ferry > most_ferry + round_off) return too_fast(ferry, most_ferry);
   if (v.acceleration_limit.base() < least_mps2) {
     return "an acceleration of " + fixed(v.acceleration_limit.base(), 2) +
            " m/s2 does not hold it on its line, " + fixed(least_mps2, 2) + " m/s2 is the least";
+  }
+  const double arc_s = corner_s(v);
+  if (arc_s < least_arc_s) {
+    return "it turns a corner of half a swath of " + fixed(swath_m, 2) + " m in " +
+           fixed(arc_s, 2) + " s, no autopilot of 10 Hz holds less than " + fixed(least_arc_s, 2) +
+           " s";
   }
   return std::nullopt;
 }

@@ -19,13 +19,12 @@ inline double planned_acceleration_mps2(const Vehicle& vehicle) {
 }
 
 /// Why an autopilot that senses and acts ten times a second cannot hold a vehicle on its line, or
-/// nothing when it can. Within these limits flights on strips of any swath, still or in 3 m/s of
-/// wind, at up to 100 m/s2, were held within half a swath; beyond them not.
+/// nothing when it can. Bounds found by flying strips of any swath at any speed and acceleration:
 ///
-/// - In one control period it may fly half a swath at most at spray speed: corners are arcs of
-/// about
-///   that length, and the valve opens and closes no finer.
-/// - It must be able to accelerate by more than the noise of its measured velocity calls for.
+/// - In one control period it flies half a swath at most at spray speed, for the valve opens and
+///   closes no finer, and a swath at ferry speed, by about which it leads its pace.
+/// - It can accelerate by more than the noise of its measured velocity calls for.
+/// - The arc of a corner between strips takes five control periods.
 std::optional<std::string> unholdable(const Vehicle& vehicle);
 
 /// A simulated aircraft with its sensors and its autopilot, without any purpose of its own.

@@ -24,6 +24,10 @@ double flown_s(double length_m, double entry_mps, double exit_mps, double limit_
 
 }  // namespace
 
+double arc_speed_mps(double acceleration_mps2, double radius_m) {
+  return std::sqrt(arc_share * acceleration_mps2 * radius_m);
+}
+
 Path::Path(Xy start_m, PathLimits limits) : limits_{limits} {
   vertices_.push_back({.at = start_m, .leg_m = 0.0, .limit_mps = 0.0});
 }
@@ -79,7 +83,7 @@ void Path::cut_corners() {
     vertex.arc_start_m = length_;
     if (radius > 0.0) {
       const double limit = std::min({vertex.limit_mps, vertices_[i + 1].limit_mps,
-                                     std::sqrt(arc_share * limits_.acceleration_mps2 * radius)});
+                                     arc_speed_mps(limits_.acceleration_mps2, radius)});
       vertex.arc_length_m = radius * std::abs(angle);
       append({length_, vertex.arc_length_m, vertex.at - vertex.cut_m * ahead, ahead,
               std::copysign(1.0 / radius, angle), limit, limit});

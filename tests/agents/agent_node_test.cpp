@@ -289,6 +289,17 @@ TEST_CASE("agent: refuses what a 10 Hz autopilot cannot hold, and says why", "[a
   fast.spray_speed = metres_per_second(30);
   CHECK(answer(fast) ==
         "no autopilot of 10 Hz holds 30.0 m/s on a swath of 2.00 m, 10.0 m/s is the most");
+  fast = sprayer();
+  fast.ferry_speed = metres_per_second(20.1);
+  CHECK(answer(fast) ==
+        "no autopilot of 10 Hz holds 20.1 m/s on a swath of 2.00 m, 20.0 m/s is the most");
+  // pi / 2 m of arc at sqrt(0.9 * 0.95 * 50 m/s2 * 1 m) = 6.54 m/s.
+  fast = sprayer();
+  fast.spray_speed = metres_per_second(10);
+  fast.acceleration_limit = metres_per_second2(50);
+  CHECK(answer(fast) ==
+        "it turns a corner of half a swath of 2.00 m in 0.24 s, no autopilot of 10 Hz holds less "
+        "than 0.50 s");
   Vehicle lame = sprayer();
   lame.acceleration_limit = metres_per_second2(0.1);
   CHECK(answer(lame) ==
@@ -319,7 +330,7 @@ TEST_CASE("agent: one that cannot be kept on its line comes home and gives its w
   Vehicle v = sprayer();
   v.acceleration_limit = metres_per_second2(0.5);
   v.ferry_speed = metres_per_second(12);
-  v.swath = metres(0.7);  // of strips 2 m apart
+  v.swath = metres(1.2);  // of strips 2 m apart
   v.flight_endurance = seconds(3000);
   const Wind wild{.mean = {}, .from_deg = 270, .gust = metres_per_second(6)};
   const auto log = fly(settings_of(v, wild), three_strips(), an_hour);
