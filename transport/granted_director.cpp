@@ -248,7 +248,7 @@ class GrantedDirector {
     std::optional<Instant> finished;
     for (Sample& s : samples) {
       if (finished && s.envelope.sent > *finished) break;
-      if (!finished && is_farewell(s.envelope)) finished = s.envelope.sent;
+      if (!finished && ends_mission(s.envelope)) finished = s.envelope.sent;
       recorder_.keep(std::move(s.envelope));
     }
     return finished;

@@ -30,7 +30,7 @@ Expected<DirectorResult, TransportError> run_wall_director(const DirectorSetting
   for (;;) {
     incoming.wait_for_message(std::chrono::milliseconds{20});
     for (Sample& sample : incoming.take_messages()) {
-      if (is_farewell(sample.envelope) && !finished) finished = now();
+      if (ends_mission(sample.envelope) && !finished) finished = now();
       recorder.keep(std::move(sample.envelope));
     }
     if (finished && now() > *finished + grace) return result(Ending::finished, now());
