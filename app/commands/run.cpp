@@ -20,11 +20,13 @@ std::int64_t realtime_ns(std::chrono::system_clock::time_point t) {
 }
 
 Flight flight(transport::DirectorResult result, const FleetProcesses& processes) {
-  const bool finished = result.ending == transport::Ending::finished;
+  using transport::Ending;
+  const bool finished = result.ending == Ending::finished;
   Flight flight{.log = {std::move(result.log), result.end, finished},
-                .interrupted = result.ending == transport::Ending::interrupted ||
-                               result.ending == transport::Ending::abandoned,
+                .broken_off = result.ending == Ending::interrupted ||
+                              result.ending == Ending::abandoned || result.ending == Ending::failed,
                 .mishaps = processes.mishaps()};
+  if (!result.reason.empty()) flight.mishaps.push_back(std::move(result.reason));
   if (result.malformed_messages > 0) {
     flight.mishaps.push_back(
         fmt::format("{} malformed messages were dropped", result.malformed_messages));
