@@ -1,5 +1,6 @@
 #include "process/node_process.hpp"
 
+#include "core/require.hpp"
 #include "mission/fleet.hpp"
 #include "mission/load.hpp"
 #include "transport/member.hpp"
@@ -9,7 +10,7 @@
 namespace furrow::process {
 namespace {
 
-constexpr int broke_off = 1, bad_input = 2;
+constexpr int bad_input = 2;
 
 transport::MemberSettings member_settings(const mission::Scenario& scenario,
                                           const mission::NodeOptions& options) {
@@ -67,7 +68,7 @@ int node_process(int argc, char** argv, const MakeNodes& make_nodes) {
     return run(*options, make_nodes);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "furrow: internal error: %s\n", error.what());
-    return broke_off;
+    return internal_error;
   }
 }
 
