@@ -3,6 +3,7 @@
 #include "app/options.hpp"
 
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -17,23 +18,37 @@ std::string set_pace(Pace& pace, const std::string& text) {
   } else if (text == "wall") {
     pace = {Pace::Kind::wall, 1.0};
   } else {
-    char* rest = nullptr;
-    const double factor = std::strtod(text.c_str(), &rest);
-    if (*rest != '\0' || !(factor > 0.0) || factor > 1e6) {
-      return "--speed: max, wall, or times real time between 0 and 1e6 (got " + text + ")";
+    double factor = 0.0;
+    const auto [stop, fault] = std::from_chars(text.data(), text.data() + text.size(), factor);
+    const bool is_number = fault == std::errc{} && stop == text.data() + text.size();
+    if (!is_number || !(factor >= 0.01 && factor <= 1e6)) {
+      return "--speed: max, wall, or times real time, from 0.01 to 1e6 (got " + text + ")";
     }
     pace = {Pace::Kind::times_real, factor};
   }
   return {};
 }
 
+// The library takes "-1" for a large number and "+5" or "0x5" for a small one.
+const CLI::Validator digits{[](const std::string& text) -> std::string {
+                              const bool is_whole =
+                                  !text.empty() &&
+                                  text.find_first_not_of("0123456789") == std::string::npos;
+                              return is_whole ? "" : "must be a whole number (got " + text + ")";
+                            },
+                            ""};
+const CLI::Validator something{
+    [](const std::string& text) -> std::string { return text.empty() ? "must not be empty" : ""; },
+    ""};
+
 void add_scenario(CLI::App& command, Options& options) {
   command.add_option("scenario", options.scenario, "Scenario file (YAML)")->required();
-  command.add_option("--seed", options.seed, "Instead of the scenario's seed");
+  command.add_option("--seed", options.seed, "Instead of the scenario's seed")->check(digits);
 }
 
 void add_results(CLI::App& command, Options& options) {
-  command.add_option("--out", options.out, "Folder for the results (default out/<scenario name>)");
+  command.add_option("--out", options.out, "Folder for the results (default out/<scenario name>)")
+      ->check(something);
   command.add_flag("--json", options.json, "Print result.json to stdout, and nothing else there");
   command.add_flag("--quiet", options.quiet, "No progress, no summary");
 }
@@ -66,6 +81,7 @@ int furrow(int argc, char** argv) {
   run_command
       ->add_option("--agents-per-process", options.agents_per_process,
                    "Aircraft hosted by one process")
+      ->check(digits)
       ->check(CLI::Range(1, 50));
   run_command->add_option("--interface", options.interface,
                           "Address of the network interface to use");
