@@ -69,9 +69,9 @@ class Furrow(unittest.TestCase):
     def out(self, name):
         return self.folder / name
 
-    def started(self, *arguments):
+    def started(self, *arguments, **settings):
         process = subprocess.Popen([BIN / "furrow", *map(str, arguments)], text=True,
-                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, **settings)
         self.addCleanup(process.stdout.close)
         self.addCleanup(process.stderr.close)
         self.addCleanup(process.kill)
@@ -125,6 +125,21 @@ class Determinism(Furrow):
             self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(without_timing(self.out("sim")), without_timing(self.out("run")))
 
+    def test_sim_and_run_agree_where_the_mission_limit_ends_them(self):
+        # Before the first heartbeat, with one at the very instant, and between two.
+        for limit_s in (1, 100, 100.5):
+            with self.subTest(limit_s):
+                short = self.scenario(GARDEN.read_text() + f"limits: {{mission_s: {limit_s}}}\n")
+                for command in ("sim", "run"):
+                    done = furrow(command, short, "--quiet", "--out", self.out(command))
+                    self.assertEqual(done.returncode, 1, done.stderr)
+                    self.assertIn("longer than its limit", done.stderr)
+                self.assertEqual(without_timing(self.out("sim")), without_timing(self.out("run")))
+                result = json.loads((self.out("sim") / "result.json").read_text())
+                self.assertFalse(result["partial"])
+                # What the scheduler gave up at the limit is in the ledger's count.
+                self.assertGreater(result["coverage"]["missed_m2"], 0)
+
     def test_another_seed_is_another_run(self):
         for seed in (1, 2):
             furrow("sim", self.garden, "--quiet", "--seed", seed, "--out", self.out(str(seed)))
@@ -141,6 +156,7 @@ class Deaths(Furrow):
             done = furrow(command, deadly, "--quiet", "--out", self.out(command))
             self.assertEqual(done.returncode, 1, done.stderr)
             self.assertIn("not completed", done.stderr)
+            self.assertRegex(done.stderr, r"lost at 10\d\.\d s: agent 2: nothing was heard of it")
         self.assertEqual(without_timing(self.out("sim")), without_timing(self.out("run")))
         result = json.loads((self.out("run") / "result.json").read_text())
         self.assertLessEqual(result["faults"][0]["noticed_s"], 100 + 3 + 2)  # lease and heartbeat
@@ -155,6 +171,7 @@ class Deaths(Furrow):
         code, errors = self.ended(process)
         self.assertEqual(code, 1, errors)
         self.assertIn("ended with code 137", errors)
+        self.assertRegex(errors, r"lost at \d+\.\d s: agent \d: ")
         self.assertTrue((self.out("run") / "report.html").exists())
         self.assertEqual(processes_in(self.garden), {})
 
@@ -182,6 +199,41 @@ class Deaths(Furrow):
         self.assertTrue(result["partial"])
         self.assertEqual(processes_in(self.garden), {})
         self.assertEqual(set(os.listdir("/dev/shm")) - before, set())
+
+    def test_an_interrupt_before_the_start_ends_quietly_with_the_plan(self):
+        process = self.started("run", self.garden, "--speed", 30, "--out", self.out("run"),
+                               start_new_session=True)
+        self.assertTrue(eventually(lambda: len(processes_in(self.garden)) == 2, 20))
+        os.killpg(process.pid, signal.SIGINT)  # as a terminal does: to the children, too
+        code, errors = self.ended(process)
+        self.assertEqual(code, 1, errors)
+        for line in errors.splitlines():
+            self.assertNotRegex(line, "director|ended with code")
+        result = json.loads((self.out("run") / "result.json").read_text())
+        self.assertTrue(result["partial"])
+        self.assertEqual(result["coverage"]["covered_m2"], 0)
+        self.assertGreater(result["fleet"]["planned_makespan_s"], 0)
+        self.assertEqual(processes_in(self.garden), {})
+
+    def test_an_interrupt_while_the_plan_is_made_keeps_the_plan_and_a_second_ends_at_once(self):
+        for command in ("sim", "run"):
+            for interrupts, expected in ((1, 1), (2, 130)):
+                with self.subTest(command=command, interrupts=interrupts):
+                    out = self.out(f"{command}{interrupts}")
+                    process = self.started(command, self.slow_to_plan(), "--out", out)
+                    time.sleep(0.5)
+                    for _ in range(interrupts):
+                        process.send_signal(signal.SIGINT)
+                        time.sleep(0.2)
+                    code, errors = self.ended(process)
+                    self.assertEqual(code, expected, errors)
+                    self.assertIn("once more", errors)
+                    if expected == 130:
+                        self.assertFalse(out.exists())
+                    else:
+                        result = json.loads((out / "result.json").read_text())
+                        self.assertTrue(result["partial"])
+                        self.assertEqual(result["log"]["messages"], 0)
 
     def test_when_the_director_is_killed_every_process_ends(self):
         process = self.started("run", self.garden, "--speed", 30, "--out", self.out("run"))
@@ -238,11 +290,32 @@ class Input(Furrow):
                           ("run", self.garden, "--speed", "fast"),
                           ("run", self.garden, "--agents-per-process", 51),
                           ("run", self.garden, "--interface", "203.0.113.1"),
-                          ("sim", self.garden, "--seed", "x")):
+                          ("run", self.garden, "--speed", "-1"),
+                          ("run", self.garden, "--speed", "nan"),
+                          ("run", self.garden, "--speed", "1e-9"),
+                          ("run", self.garden, "--speed", "0x10"),
+                          ("run", self.garden, "--speed", " 5"),
+                          ("run", self.garden, "--speed", ""),
+                          ("run", self.garden, "--agents-per-process", 0),
+                          ("run", self.garden, "--agents-per-process", "+2"),
+                          ("run", self.garden, "--interface", ""),
+                          ("run", self.garden, "--interface", "localhost"),
+                          ("sim", self.garden, "--out", ""),
+                          ("sim", self.garden, "--seed", "x"),
+                          ("sim", self.garden, "--seed", "-1"),
+                          ("sim", self.garden, "--seed", "+1"),
+                          ("sim", self.garden, "--seed", ""),
+                          ("sim", self.garden, "--seed", "1.5"),
+                          ("sim", self.garden, "--seed", 2**64)):
             with self.subTest(arguments):
                 done = furrow(*arguments)
                 self.assertEqual(done.returncode, 2, done.stderr)
                 self.assertNotEqual(done.stderr.strip(), "")
+
+    def test_check_counts_what_it_found_in_words(self):
+        done = furrow("check", self.garden)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertTrue(done.stdout.endswith("sound: 2 UAVs, 1 station\n"), done.stdout)
 
     def test_json_is_all_that_is_printed_to_stdout(self):
         done = furrow("sim", self.garden, "--json", "--out", self.out("sim"))
