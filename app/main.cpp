@@ -86,6 +86,14 @@ int furrow(int argc, char** argv) {
   run_command->add_option("--interface", options.interface,
                           "Address of the network interface to use");
 
+  CLI::App* export_command =
+      app.add_subcommand("export", "Write a mission's sorties for other tools, in WGS84");
+  export_command->add_option("folder", options.folder, "Results of plan, sim or run")->required();
+  export_command->add_option("--format", options.format, "qgc-plan, waypoints, geojson, kml or csv")
+      ->required();
+  export_command->add_option("--out", options.out, "Folder for the files (default FOLDER/export)");
+  export_command->add_flag("--quiet", options.quiet, "Say nothing");
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -99,6 +107,7 @@ int furrow(int argc, char** argv) {
   if (check_command->parsed()) return check(options);
   if (plan_command->parsed()) return plan(options);
   if (sim_command->parsed()) return sim(options);
+  if (export_command->parsed()) return export_missions(options);
   return run(options);
 }
 

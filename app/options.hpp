@@ -22,6 +22,8 @@ struct Options {
   bool quiet = false;
   std::uint32_t agents_per_process = 0;  ///< 0: one, or as many as fit into 50 processes.
   std::string interface = "127.0.0.1";
+  std::string folder;             ///< Results of a finished mission, for export.
+  std::string format;             ///< Of the missions exported.
   std::string program_folder;  ///< Where the other programs of this build are.
 };
 
@@ -32,5 +34,6 @@ int check(const Options& options);
 int plan(const Options& options);
 int sim(const Options& options);
 int run(const Options& options);
+int export_missions(const Options& options);
 
 }  // namespace furrow::app

@@ -59,7 +59,7 @@ void check_swaths(const Draft& draft) {
     const bool is_first_of_entry = draft.fleet_of[i] != draft.fleet_of[i - 1];
     if (is_first_of_entry && uavs[i].swath != uavs[0].swath) {
       draft.fleets[draft.fleet_of[i]].fail(
-          "swath_m", fmt::format("must equal that of uavs[0], {:.10g}: one grid serves all",
+          "swath_m", fmt::format("must equal that of uavs[0], {:.10g}: one route serves all",
                                  uavs[0].swath.base()));
     }
   }
@@ -67,6 +67,7 @@ void check_swaths(const Draft& draft) {
 
 // Keeps a grid over the field within memory.
 void check_cells(const Draft& draft) {
+  if (!std::holds_alternative<planner::CoverageSettings>(draft.scenario.coverage)) return;
   constexpr double most_cells = 10e6;
   double low_x = 1e9, low_y = 1e9, high_x = -1e9, high_y = -1e9;
   for (const FieldPoint p : draft.scenario.field.boundary) {

@@ -108,7 +108,7 @@ ScenarioError unreadable(std::string_view yaml, const std::string& file, int lin
           .line = line,
           .column = column,
           .key = "yaml",
-          .rule = fmt::format("must be a plain YAML document: {}", why),
+          .rule = fmt::format("must be a plain YAML document: {}", shown(why)),
           .value = shown(line_of(yaml, line))};
 }
 

@@ -24,6 +24,7 @@ class Findings {
   /// Adds an error for every key that is unknown or given twice, in the maps that were read.
   void judge_keys();
 
+  const std::string& file() const { return file_; }
   bool is_survey() const { return survey_ != nullptr; }
   std::size_t count() const { return errors_.size(); }
   /// Sorted by line, column and key.

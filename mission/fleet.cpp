@@ -24,13 +24,11 @@ const T& with_id(const std::vector<T>& all, Id id) {
 }  // namespace
 
 scheduler::FleetProblem fleet_problem(const Scenario& scenario) {
-  const Coverage& coverage = scenario.coverage;
+  planner::CoverageModel coverage = scenario.coverage;
+  if (auto* grid = std::get_if<planner::CoverageSettings>(&coverage)) grid->start = scenario.start;
+  if (auto* swath = std::get_if<planner::SwathSettings>(&coverage)) swath->near = scenario.start;
   return {.field = scenario.field,
-          .coverage = {.margin = coverage.margin,
-                       .straight_reward = coverage.straight_reward,
-                       .turn_reward = coverage.turn_reward,
-                       .min_region_cells = coverage.min_region_cells,
-                       .start = scenario.start},
+          .coverage = std::move(coverage),
           .work_direction_deg = scenario.work_direction_deg,
           .stations = scenario.stations,
           .vehicles = scenario.uavs,

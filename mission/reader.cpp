@@ -153,6 +153,25 @@ std::optional<bool> Section::optional_flag(std::string_view key,
   return {};
 }
 
+std::optional<std::string> Section::optional_text(std::string_view key,
+                                                  const std::string& otherwise) const {
+  const std::string rule = "must be text of 1 to 1000 bytes on one line";
+  const Found found = take(key, rule, otherwise);
+  if (!found.value) return {};
+  const Element& e = *found.value;
+  const bool is_text = e.kind == Element::Kind::scalar && !e.scalar.empty() &&
+                       e.scalar.size() <= 1000 &&
+                       e.scalar.find_first_of(std::string_view{"\n\r\0", 3}) == std::string::npos;
+  if (is_text) return e.scalar;
+  broken(found, rule);
+  return {};
+}
+
+void Section::refuse(std::string_view key, const std::string& rule) const {
+  findings_->ask(map_, path_, key, rule, "left out");
+  if (has(key)) fail(key, rule);
+}
+
 std::string Section::name(std::string_view key) const {
   const Found found = take(key, name_rule, std::string{required});
   if (!found.value) return {};

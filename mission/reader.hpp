@@ -42,6 +42,11 @@ class Section {
   std::optional<bool> optional_flag(std::string_view key, const std::string& otherwise) const;
   /// A word fit for file names.
   std::string name(std::string_view key) const;
+  /// Any text on one line, 1 to 1000 bytes.
+  std::optional<std::string> optional_text(std::string_view key,
+                                           const std::string& otherwise) const;
+  /// A key of the format that must be left out here.
+  void refuse(std::string_view key, const std::string& rule) const;
   /// The index of the word chosen.
   std::size_t choice(std::string_view key, const std::vector<std::string>& words,
                      std::optional<std::size_t> otherwise = {}) const;

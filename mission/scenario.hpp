@@ -6,6 +6,8 @@
 #include "core/station.hpp"
 #include "core/vehicle.hpp"
 #include "core/weather.hpp"
+#include "exchange/local_frame.hpp"
+#include "planner/coverage/cover.hpp"
 #include "planner/returns/solve.hpp"
 
 #include <cstdint>
@@ -14,14 +16,6 @@
 #include <vector>
 
 namespace furrow::mission {
-
-/// Spec of the coverage route on a grid of square cells as wide as the swath.
-struct Coverage {
-  Length margin;                   ///< Inset from boundary and holes, >= 0.
-  double straight_reward;          ///< S > 1 of the probability walk.
-  double turn_reward;              ///< U > S of the probability walk.
-  std::uint32_t min_region_cells;  ///< Smaller unvisited regions are reported missed, >= 1.
-};
 
 /// What goes wrong, and when. A fault unknown to this build is an input error.
 struct Fault {
@@ -43,7 +37,8 @@ struct Scenario {
   Field field;
   std::optional<double> work_direction_deg;  ///< Clockwise from north; searched when left out.
   std::optional<FieldPoint> start;           ///< Chosen when left out.
-  Coverage coverage;
+  std::optional<exchange::Datum> datum;      ///< Where on the globe the frame's origin lies.
+  planner::CoverageModel coverage;           ///< Direction and start are the lines above.
   std::vector<Station> stations;  ///< At least one, ids rising.
   std::vector<Vehicle> uavs;      ///< At least one, ids 1, 2, ... in file order.
   Wind wind;

@@ -1,10 +1,15 @@
 #include "mission/schema.hpp"
 
+#include "exchange/land.hpp"
 #include "mission/checks.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <numbers>
 #include <set>
 
 namespace furrow::mission {
@@ -13,34 +18,123 @@ namespace {
 constexpr std::size_t most_uavs = 1'000, most_entries = 1'000;
 constexpr std::uint64_t most_id = 1'000'000;
 
-Coverage read_coverage(const Section& s) {
-  s.choice("model", {"grid"}, 0);
-  const Coverage c{.margin = metres(s.number("margin_m", from_to(0, 1000), 0)),
-                   .straight_reward = s.number("straight_reward", above_to(1, 1e6), 2),
-                   .turn_reward = s.number("turn_reward", above_to(1, 1e6), 3),
-                   .min_region_cells =
-                       static_cast<std::uint32_t>(s.whole("min_region_cells", 1, 1'000'000, 10))};
-  if (c.turn_reward <= c.straight_reward) {
-    const auto rule = fmt::format("must exceed straight_reward, {:.10g}", c.straight_reward);
+// Keys that concern one coverage model only.
+constexpr std::array grid_keys{"straight_reward", "turn_reward", "min_region_cells"};
+constexpr std::array swath_keys{"hole_buffer_m", "edges",        "last_row",
+                                "cells_may_differ", "min_strip_m", "headland_passes",
+                                "headland_turn", "turn_cost_m"};
+
+planner::CoverageSettings read_grid(const Section& s, Length margin) {
+  planner::CoverageSettings grid;
+  grid.margin = margin;
+  grid.straight_reward = s.number("straight_reward", above_to(1, 1e6), 2);
+  grid.turn_reward = s.number("turn_reward", above_to(1, 1e6), 3);
+  grid.min_region_cells =
+      static_cast<std::uint32_t>(s.whole("min_region_cells", 1, 1'000'000, 10));
+  if (grid.turn_reward <= grid.straight_reward) {
+    const auto rule = fmt::format("must exceed straight_reward, {:.10g}", grid.straight_reward);
     s.fail(s.has("turn_reward") ? "turn_reward" : "straight_reward",
            s.has("turn_reward")
                ? rule
-               : fmt::format("must be less than turn_reward, {:.10g}", c.turn_reward));
+               : fmt::format("must be less than turn_reward, {:.10g}", grid.turn_reward));
   }
-  return c;
+  return grid;
+}
+
+planner::SwathSettings read_swath(const Section& s, Length margin) {
+  using namespace planner;
+  SwathSettings swath;
+  swath.margin = margin;
+  swath.hole_buffer = metres(s.number("hole_buffer_m", from_to(0, 1000), 0));
+  swath.edges = static_cast<EdgeMode>(s.choice("edges", {"cover_all", "stay_inside"}, 0));
+  swath.last_row = static_cast<LastRow>(s.choice("last_row", {"shifted", "narrowed"}, 0));
+  swath.cells_may_differ = s.flag("cells_may_differ", true);
+  swath.min_strip = metres(s.number("min_strip_m", from_to(0, 10'000), 0));
+  swath.headland_passes = static_cast<int>(s.whole("headland_passes", 0, 100, 0));
+  swath.headland_turn = static_cast<HeadlandTurn>(
+      s.choice("headland_turn", {"clockwise", "counter_clockwise"}, 1));
+  swath.turn_cost = metres(s.number("turn_cost_m", from_to(0, 1000), 5));
+  return swath;
+}
+
+planner::CoverageModel read_coverage(const Section& s) {
+  const bool is_grid = s.choice("model", {"grid", "swath"}, 1) == 0;
+  const Length margin = metres(s.number("margin_m", from_to(0, 1000), 0));
+  const auto grid = read_grid(s, margin);
+  const auto swath = read_swath(s, margin);
+  const auto refuse = [&](const auto& keys, const char* model) {
+    for (const char* key : keys) {
+      if (s.has(key)) s.fail(key, fmt::format("belongs to the coverage model {}", model));
+    }
+  };
+  if (is_grid) {
+    refuse(swath_keys, "swath");
+    return grid;
+  }
+  refuse(grid_keys, "grid");
+  return swath;
+}
+
+// A path in a scenario is relative to the scenario's folder.
+std::string beside(const Section& s, const std::string& path) {
+  return (std::filesystem::path{s.findings().file()}.parent_path() / path).string();
+}
+
+void read_land(const Section& s, const std::string& file, std::size_t feature, Scenario& out) {
+  const std::string rule = "must be left out where file is given";
+  for (const char* key : {"boundary_m", "holes_m", "datum"}) s.refuse(key, rule);
+  auto land = exchange::read_land(beside(s, file), feature);
+  if (!land) {
+    s.fail("file", land.error().rule, land.error().value);
+    return;
+  }
+  out.field = std::move(land->field);
+  out.datum = land->datum;
+}
+
+void read_outline(const Section& s, Scenario& out) {
+  const auto file = s.optional_text("file", "boundary_m");
+  const auto feature = s.whole("feature", 0, 1'000'000, 0);
+  if (file) return read_land(s, *file, feature, out);
+  if (s.has("feature")) s.fail("feature", "must be left out where no file is given");
+  out.field.boundary = s.ring("boundary_m");
+  out.field.holes = s.rings("holes_m");
+  const Section datum = s.section("datum");
+  const auto lat = datum.optional_number("lat_deg", from_to(-85, 85), "no place on the globe");
+  const auto lon = datum.optional_number("lon_deg", from_to(-180, 180), "no place on the globe");
+  if (lat.has_value() != lon.has_value()) s.fail("datum", "must have both lat_deg and lon_deg");
+  if (lat && lon) out.datum = exchange::Datum{.lat_deg = *lat, .lon_deg = *lon};
+  check_field(s, out.field);
+}
+
+// The heading of the strips: a number, or the way from A to B.
+std::optional<double> read_direction(const Section& s) {
+  const auto heading = s.optional_number("work_direction_deg", from_below(0, 360), "searched");
+  const Section line = s.section("ab_line");
+  const auto a = line.optional_point("a_m", "work_direction_deg");
+  const auto b = line.optional_point("b_m", "work_direction_deg");
+  if (!a && !b) return heading;
+  if (s.has("work_direction_deg")) s.fail("ab_line", "must be left out beside work_direction_deg");
+  if (!a || !b || *a == *b) {
+    s.fail("ab_line", "must have a_m and b_m, two places apart");
+    return heading;
+  }
+  const double along_deg = std::atan2((b->x - a->x).base(), (b->y - a->y).base()) * 180 /
+                           std::numbers::pi;
+  return along_deg < 0 ? along_deg + 360 : along_deg;
 }
 
 void read_field(const Section& s, Scenario& out) {
-  out.field.boundary = s.ring("boundary_m");
-  out.field.holes = s.rings("holes_m");
-  out.work_direction_deg = s.optional_number("work_direction_deg", from_below(0, 360), "searched");
-  if (out.work_direction_deg && *out.work_direction_deg != 0 && *out.work_direction_deg != 90 &&
-      *out.work_direction_deg != 180 && *out.work_direction_deg != 270) {
-    s.fail("work_direction_deg", "must be one of 0, 90, 180, 270: a grid is flown along its sides");
-  }
+  read_outline(s, out);
+  out.work_direction_deg = read_direction(s);
   out.start = s.optional_point("start_m", "chosen");
   out.coverage = read_coverage(s.section("coverage"));
-  check_field(s, out.field);
+  const bool is_grid = std::holds_alternative<planner::CoverageSettings>(out.coverage);
+  const double quarter_turns = out.work_direction_deg.value_or(0) / 90;
+  if (is_grid && quarter_turns != std::floor(quarter_turns)) {
+    s.fail(s.has("ab_line") ? "ab_line" : "work_direction_deg",
+           "must be one of 0, 90, 180, 270: a grid is flown along its sides");
+  }
 }
 
 std::vector<Obstacle> read_obstacles(const Section& root) {

@@ -4,7 +4,7 @@
 #include "core/time.hpp"
 #include "core/vehicle.hpp"
 #include "core/work.hpp"
-#include "planner/coverage/route.hpp"
+#include "planner/coverage/cover.hpp"
 #include "planner/returns/solve.hpp"
 
 #include <span>
@@ -33,6 +33,7 @@ struct UavPlan {
 /// Who flies what and when.
 struct FleetPlan {
   planner::Route route;
+  std::optional<planner::SweepFigures> sweep;  ///< Of the swath model.
   double work_direction_deg;  ///< Clockwise from north, as given or as found.
   std::vector<UavPlan> uavs;  ///< In order of id.
   double makespan_s;          ///< Forecast mission time at which the last cell is sprayed.

@@ -18,10 +18,9 @@ constexpr int recuts = 3;
 
 /// A covered field with its shares.
 struct Sketch {
-  planner::Route route;
+  planner::Coverage coverage;
   RouteLengths lengths;
   Draft draft;
-  double work_direction_deg;
 };
 
 std::optional<PlanError> fleet_fault(const std::vector<Vehicle>& vehicles) {
@@ -43,23 +42,41 @@ std::optional<PlanError> fleet_fault(const std::vector<Vehicle>& vehicles) {
   return std::nullopt;
 }
 
-Expected<Sketch, PlanError> sketch(const FleetProblem& problem, double work_direction_deg) {
-  planner::CoverageSettings coverage = problem.coverage;
-  coverage.work_direction_deg = work_direction_deg;
-  if (!coverage.start && !coverage.near) coverage.near = problem.vehicles.front().home;
-  auto route = planner::coverage_route(problem.field, problem.vehicles.front().swath, coverage);
-  if (!route) return Unexpected{route.error()};
-  RouteLengths lengths = route_lengths(*route, problem.stations);
-  Draft drafted = draft(*route, lengths, problem.vehicles, problem.stations);
-  return Sketch{std::move(*route), std::move(lengths), std::move(drafted), work_direction_deg};
+Expected<Sketch, PlanError> sketch(const FleetProblem& problem,
+                                   const planner::CoverageModel& model) {
+  auto coverage = planner::cover(problem.field, problem.vehicles.front().swath, model);
+  if (!coverage) return Unexpected{coverage.error()};
+  RouteLengths lengths = route_lengths(coverage->route, problem.stations);
+  Draft drafted = draft(coverage->route, lengths, problem.vehicles, problem.stations);
+  return Sketch{std::move(*coverage), std::move(lengths), std::move(drafted)};
 }
 
-/// The sketch of the work direction asked for, or of the best.
+/// The models to draft: one where the direction is given or the model searches it.
+std::vector<planner::CoverageModel> candidates(const FleetProblem& problem) {
+  const FieldPoint home = problem.vehicles.front().home;
+  if (const auto* swath = std::get_if<planner::SwathSettings>(&problem.coverage)) {
+    planner::SwathSettings settings = *swath;
+    settings.direction_deg = problem.work_direction_deg;
+    if (!settings.near) settings.near = home;
+    return {settings};
+  }
+  planner::CoverageSettings settings = std::get<planner::CoverageSettings>(problem.coverage);
+  if (!settings.start && !settings.near) settings.near = home;
+  std::vector<planner::CoverageModel> models;
+  for (const double direction_deg : {0.0, 90.0, 180.0, 270.0}) {
+    settings.work_direction_deg = problem.work_direction_deg.value_or(direction_deg);
+    models.emplace_back(settings);
+    if (problem.work_direction_deg) break;
+  }
+  return models;
+}
+
+/// The sketch with the smallest forecast makespan.
 Expected<Sketch, PlanError> best_sketch(const FleetProblem& problem) {
-  if (problem.work_direction_deg) return sketch(problem, *problem.work_direction_deg);
-  auto best = sketch(problem, 0.0);
-  for (const double direction_deg : {90.0, 180.0, 270.0}) {
-    auto other = sketch(problem, direction_deg);
+  const std::vector<planner::CoverageModel> models = candidates(problem);
+  auto best = sketch(problem, models.front());
+  for (std::size_t i = 1; i < models.size(); ++i) {
+    auto other = sketch(problem, models[i]);
     if (!other) continue;
     const bool is_better =
         !best || other->draft.forecast.makespan_s < best->draft.forecast.makespan_s;
@@ -82,9 +99,10 @@ std::vector<FleetTask> tasks(const FleetProblem& problem, const Sketch& s,
     const Share& share = shares[u];
     FleetTask task{.agent = vehicle.id, .station = share.station, .problem = {}, .times = {}};
     if (share.strips.count > 0) {
-      task.problem = planner::return_problem(s.route, cells_of(s.route, share.strips), vehicle,
-                                             problem.stations[share.station]);
-      task.times.emplace(s.route, *task.problem);
+      task.problem =
+          planner::return_problem(s.coverage.route, cells_of(s.coverage.route, share.strips),
+                                  vehicle, problem.stations[share.station]);
+      task.times.emplace(s.coverage.route, *task.problem);
     }
     all.push_back(std::move(task));
   }
@@ -123,8 +141,8 @@ Expected<Solved, PlanError> best_solved(const FleetProblem& problem, const Sketc
   if (!best) return best;
   Solved latest = *best;
   for (int round = 0; round < recuts; ++round) {
-    auto shares = recut(s.route, s.lengths, problem.vehicles, problem.stations, latest.shares,
-                        latest.returns.forecast.spray_ends_s);
+    auto shares = recut(s.coverage.route, s.lengths, problem.vehicles, problem.stations,
+                        latest.shares, latest.returns.forecast.spray_ends_s);
     if (same_strips(shares, latest.shares)) break;
     auto other = solved(problem, s, std::move(shares), budget_s);
     if (!other) break;
@@ -136,7 +154,8 @@ Expected<Solved, PlanError> best_solved(const FleetProblem& problem, const Sketc
 
 /// Never above the makespan. An aircraft alone with one station has its solver's tighter bound.
 double lower_bound_s(const FleetProblem& problem, const Sketch& s, const Solved& found) {
-  double bound_s = makespan_bound_s(s.route, s.lengths, problem.vehicles, problem.stations);
+  double bound_s =
+      makespan_bound_s(s.coverage.route, s.lengths, problem.vehicles, problem.stations);
   if (problem.vehicles.size() == 1 && problem.stations.size() == 1) {
     const planner::ReturnProblem& only = *found.tasks[0].problem;
     bound_s =
@@ -160,7 +179,8 @@ Expected<FleetPlan, PlanError> plan_fleet(const FleetProblem& problem) {
   FleetReturns& returns = found->returns;
 
   FleetPlan plan{.route = {},
-                 .work_direction_deg = s.work_direction_deg,
+                 .sweep = s.coverage.sweep,
+                 .work_direction_deg = s.coverage.direction_deg,
                  .uavs = {},
                  .makespan_s = returns.forecast.makespan_s,
                  .lower_bound_s = lower_bound_s(problem, s, *found)};
@@ -169,13 +189,13 @@ Expected<FleetPlan, PlanError> plan_fleet(const FleetProblem& problem) {
     plan.uavs.push_back({.vehicle = problem.vehicles[u],
                          .station = problem.stations[share.station],
                          .strips = share.strips,
-                         .cells = cells_of(s.route, share.strips),
+                         .cells = cells_of(s.coverage.route, share.strips),
                          .solution = std::move(returns.solutions[u]),
                          .visits = std::move(returns.forecast.visits[u]),
                          .spray_ends_s = returns.forecast.spray_ends_s[u],
                          .lands_s = returns.forecast.lands_s[u]});
   }
-  plan.route = std::move(s.route);
+  plan.route = std::move(s.coverage.route);
   return plan;
 }
 

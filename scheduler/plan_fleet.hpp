@@ -1,6 +1,6 @@
 #pragma once
 
-#include "planner/coverage/walk.hpp"
+#include "planner/coverage/cover.hpp"
 #include "scheduler/fleet_plan.hpp"
 
 #include <optional>
@@ -10,7 +10,7 @@ namespace furrow::scheduler {
 /// A field to spray and what there is to spray it with.
 struct FleetProblem {
   Field field;
-  planner::CoverageSettings coverage;        ///< Its work direction is the next line's.
+  planner::CoverageModel coverage;           ///< Its direction is the next line's.
   std::optional<double> work_direction_deg;  ///< Clockwise from north; searched when left out.
   std::vector<Station> stations;             ///< At least one.
   std::vector<Vehicle> vehicles;             ///< At least one, ids rising, all of one swath.
@@ -20,13 +20,14 @@ struct FleetProblem {
 /// Plans the mission: covers the field, cuts the route into shares that are predicted to be done at
 /// the same time, gives each aircraft a station and chooses the return points.
 ///
-/// Without a work direction, 0, 90, 180 and 270 degrees are drafted and the one with the smallest
-/// forecast makespan is planned; without a start, the route begins near the first aircraft's home.
+/// Without a work direction, the swath model searches its own over the whole circle; of the grid, 0,
+/// 90, 180 and 270 degrees are drafted and the one with the smallest forecast makespan is planned.
+/// Without a start, the route begins near the first aircraft's home.
 /// The result depends on nothing but the problem.
 ///
 /// @error  swaths_differ   The aircraft do not all spray the same width.
 /// @error  tank_too_small  A tank does not last for one cell.
-/// @error  any other       As planner::coverage_route and planner::solve.
+/// @error  any other       As planner::cover and planner::solve.
 Expected<FleetPlan, planner::PlanError> plan_fleet(const FleetProblem& problem);
 
 }  // namespace furrow::scheduler

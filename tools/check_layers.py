@@ -8,6 +8,7 @@ import sys
 # Folder -> folders it may include besides itself. Read it as the architecture diagram.
 MAY_INCLUDE = {
     "core": set(),
+    "exchange": {"core"},
     "planner": {"core"},
     "supply": {"core"},
     "scheduler": {"core", "planner", "supply"},
@@ -15,16 +16,17 @@ MAY_INCLUDE = {
     "idl": set(),
     "transport": {"core", "idl"},
     "sim": {"core", "planner", "supply", "scheduler", "agents"},
-    "mission": {"core", "planner", "supply", "scheduler", "agents"},
+    "mission": {"core", "exchange", "planner", "supply", "scheduler", "agents"},
     "process": {"core", "mission", "transport"},
-    "app": {"core", "planner", "supply", "scheduler", "agents", "mission", "transport", "sim"},
+    "app": {"core", "exchange", "planner", "supply", "scheduler", "agents", "mission", "transport", "sim"},
 }
 # Pattern -> the only folders where it may appear.
 CONFINED = {
     r"#include <fast(dds|rtps|cdr)": {"transport"},
     r"#include <(ompl|geos|Eigen)": {"planner"},
     r"#include <yaml-cpp/": {"mission"},
-    r"#include <nlohmann/": {"app"},
+    r"#include <(cpl|ogr|gdal|proj)[_.a-z]*\.h": {"exchange"},
+    r"#include <nlohmann/": {"app", "exchange"},
     r"#include <spdlog/": {"transport", "app"},
     r"steady_clock|system_clock|random_device|getenv|std::thread|std::mutex": {"transport", "app"},
 }

@@ -1,5 +1,7 @@
 #include "app/results/plan_geojson.hpp"
 
+#include "app/exports/missions_json.hpp"
+
 #include "app/results/rounding.hpp"
 
 #include <cmath>
@@ -107,7 +109,7 @@ std::string plan_geojson(const MissionRecord& record) {
                   {{"axes", "east, north"},
                    {"unit", "metre"},
                    {"origin", "the scenario's own (0, 0)"},
-                   {"datum", nullptr}}},
+                   {"datum", datum_json(record.scenario.datum)}}},
                  {"features", std::move(features)}};
   return all.dump(1, ' ', false, Json::error_handler_t::replace) + '\n';
 }

@@ -146,6 +146,8 @@ struct Result {
   bool partial;
   bool completed;  ///< Every cell of the route is sprayed, or is planned to be.
   FieldFigures field;
+  std::optional<exchange::Datum> datum;        ///< Where on the globe the field frame lies.
+  std::optional<planner::SweepFigures> sweep;  ///< Of the swath model.
   CoverageFigures coverage;
   FootprintFigures footprint;
   FleetFigures fleet;

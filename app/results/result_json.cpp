@@ -1,5 +1,7 @@
 #include "app/results/result_json.hpp"
 
+#include "app/exports/missions_json.hpp"
+
 #include "app/results/rounding.hpp"
 
 #include <cmath>
@@ -28,6 +30,15 @@ Json json(const FieldFigures& f) {
           {"strips", f.strips},
           {"strip_length_m", rounded(f.strip_length_m)},
           {"cells", f.cells}};
+}
+
+Json json(const planner::SweepFigures& s) {
+  return {{"parts", s.parts},
+          {"sprayed_m", rounded(s.sprayed.base())},
+          {"route_m", rounded(s.route.base())},
+          {"order_bound_m", rounded(s.order_bound.base())},
+          {"order_exact", s.order_exact},
+          {"dropped_m2", rounded(s.dropped.base())}};
 }
 
 Json json(const CoverageFigures& c) {
@@ -176,6 +187,8 @@ std::string result_json(const Result& r) {
                  {"partial", r.partial},
                  {"completed", r.completed},
                  {"field", json(r.field)},
+                 {"datum", datum_json(r.datum)},
+                 {"sweep", r.sweep ? json(*r.sweep) : Json{}},
                  {"coverage", json(r.coverage)},
                  {"footprint", json(r.footprint)},
                  {"fleet", json(r.fleet)},

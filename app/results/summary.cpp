@@ -5,6 +5,7 @@
 #include "app/results/footprint.hpp"
 #include "app/results/land.hpp"
 #include "app/results/sorties.hpp"
+#include "app/results/sweep_coverage.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -323,6 +324,7 @@ Result summary(const MissionRecord& record, const Flown& flown) {
   r.mode = record.mode;
   r.partial = record.partial;
   r.field = field_figures(record);
+  r.datum = record.scenario.datum;
   const std::vector<double> shares = cell_shares(record.plan.route);
   for (std::size_t i = 0; i < record.plan.uavs.size(); ++i) {
     const scheduler::UavPlan& uav = record.plan.uavs[i];
@@ -339,6 +341,8 @@ Result summary(const MissionRecord& record, const Flown& flown) {
   } else {
     r.coverage = planned_coverage(record);
   }
+  r.sweep = record.plan.sweep;
+  if (r.sweep) r.coverage = sweep_coverage(record, r.coverage, is_flown ? &flown : nullptr);
   r.completed = is_flown ? !record.partial && flown.last_word && flown.last_word->completed
                          : r.coverage.abandoned_m2 == 0;
   r.fleet = fleet_figures(record, flown, r);

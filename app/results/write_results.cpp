@@ -1,5 +1,7 @@
 #include "app/results/write_results.hpp"
 
+#include "app/exports/missions_json.hpp"
+#include "app/exports/sortie_tracks.hpp"
 #include "app/results/events_jsonl.hpp"
 #include "app/results/plan_geojson.hpp"
 #include "app/results/report/report_html.hpp"
@@ -50,6 +52,7 @@ Expected<std::vector<fs::path>, WriteError> write_results(const fs::path& dir,
   const std::pair<const char*, std::string> files[] = {
       {"result.json", result_json(result)},
       {"plan.geojson", plan_geojson(record)},
+      {"missions.json", missions_json({record.scenario.datum, sortie_tracks(record.plan)})},
       {"events.jsonl", events_jsonl(record.log)},
       {"sorties.csv", sorties_csv(result)},
       {"report.html", report_html(record, result)}};

@@ -1,0 +1,55 @@
+#include "app/exports/missions_json.hpp"
+#include "app/options.hpp"
+
+#include <filesystem>
+#include <fmt/format.h>
+#include <fstream>
+#include <iterator>
+
+namespace furrow::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+int refused(const std::string& sentence) {
+  fmt::print(stderr, "furrow: {}\n", sentence);
+  return Exit::bad_input;
+}
+
+}  // namespace
+
+int export_missions(const Options& options) {
+  const auto format = exchange::mission_format(options.format);
+  if (!format) {
+    return refused(fmt::format(
+        "--format: must be qgc-plan, waypoints, geojson, kml or csv (got {})", options.format));
+  }
+  const fs::path source = fs::path{options.folder} / "missions.json";
+  std::ifstream in{source};
+  const std::string json{std::istreambuf_iterator<char>{in}, {}};
+  if (!in) return refused(fmt::format("{}: must be there: plan, sim or run writes it", source.string()));
+  const auto missions = read_missions(json);
+  if (!missions) return refused(fmt::format("{}: {}", source.string(), missions.error()));
+  if (!missions->datum) {
+    return refused(fmt::format("{}: the field has no place on the globe: give field.file or "
+                               "field.datum in the scenario",
+                               source.string()));
+  }
+
+  const fs::path target = options.out.empty() ? fs::path{options.folder} / "export" : fs::path{options.out};
+  std::error_code fault;
+  fs::create_directories(target, fault);
+  const exchange::LocalFrame frame{*missions->datum};
+  for (const exchange::SortieTrack& track : missions->sorties) {
+    const fs::path path = target / exchange::file_name(track, *format);
+    std::ofstream file{path, std::ios::binary};
+    file << exchange::mission_file(track, frame, *format);
+    if (!file.flush()) return refused(fmt::format("{}: cannot be written", path.string()));
+  }
+  if (!options.quiet) {
+    fmt::print(stderr, "{} missions: {}\n", missions->sorties.size(), target.string());
+  }
+  return Exit::done;
+}
+
+}  // namespace furrow::app

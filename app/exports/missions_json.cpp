@@ -1,0 +1,73 @@
+#include "app/exports/missions_json.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace furrow::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json point(FieldPoint p) { return Json::array({p.x.base(), p.y.base()}); }
+
+FieldPoint point(const Json& json) { return at_m(json.at(0), json.at(1)); }
+
+Json to_json(const exchange::SortieTrack& track) {
+  Json points = Json::array();
+  for (const exchange::TrackPoint& p : track.points) {
+    points.push_back({p.at.x.base(), p.at.y.base(), p.is_spraying ? 1 : 0});
+  }
+  return {{"uav", number(track.uav)},
+          {"sortie", track.sortie},
+          {"home_m", point(track.home)},
+          {"altitude_m", track.altitude.base()},
+          {"spray_speed_mps", track.spray_speed.base()},
+          {"ferry_speed_mps", track.ferry_speed.base()},
+          {"points", std::move(points)}};
+}
+
+exchange::SortieTrack track(const Json& json) {
+  exchange::SortieTrack track{.uav = AgentId{json.at("uav").get<std::uint32_t>()},
+                              .sortie = json.at("sortie"),
+                              .home = point(json.at("home_m")),
+                              .points = {},
+                              .altitude = metres(json.at("altitude_m")),
+                              .spray_speed = metres_per_second(json.at("spray_speed_mps")),
+                              .ferry_speed = metres_per_second(json.at("ferry_speed_mps"))};
+  for (const Json& p : json.at("points")) {
+    track.points.push_back({point(p), p.at(2).get<int>() != 0});
+  }
+  return track;
+}
+
+}  // namespace
+
+nlohmann::ordered_json datum_json(const std::optional<exchange::Datum>& datum) {
+  if (!datum) return nullptr;
+  return {{"lat_deg", datum->lat_deg}, {"lon_deg", datum->lon_deg}};
+}
+
+std::string missions_json(const Missions& missions) {
+  Json sorties = Json::array();
+  for (const exchange::SortieTrack& track : missions.sorties) sorties.push_back(to_json(track));
+  const Json all{{"version", 1},
+                 {"datum", datum_json(missions.datum)},
+                 {"sorties", std::move(sorties)}};
+  return all.dump(1) + "\n";
+}
+
+Expected<Missions, std::string> read_missions(const std::string& json) {
+  try {
+    const Json all = Json::parse(json);
+    if (all.at("version") != 1) return Unexpected{std::string{"version must be 1"}};
+    Missions missions{};
+    if (const Json& datum = all.at("datum"); !datum.is_null()) {
+      missions.datum = exchange::Datum{.lat_deg = datum.at("lat_deg"), .lon_deg = datum.at("lon_deg")};
+    }
+    for (const Json& sortie : all.at("sorties")) missions.sorties.push_back(track(sortie));
+    return missions;
+  } catch (const Json::exception& error) {
+    return Unexpected{std::string{error.what()}};
+  }
+}
+
+}  // namespace furrow::app

@@ -1,0 +1,56 @@
+#include "app/exports/sortie_tracks.hpp"
+
+#include "scheduler/orders.hpp"
+
+namespace furrow::app {
+namespace {
+
+constexpr double altitude_m = 3.0;  // above the crop, as plant-protection UAVs fly
+
+// A place is named once; what the valve does from it on is the last word on it.
+void add(std::vector<exchange::TrackPoint>& points, FieldPoint at, bool is_spraying) {
+  if (!points.empty() && points.back().at == at) {
+    points.back().is_spraying = is_spraying;
+  } else {
+    points.push_back({at, is_spraying});
+  }
+}
+
+std::vector<exchange::TrackPoint> track(const SortieOrder& order) {
+  std::vector<exchange::TrackPoint> points;
+  bool is_first = true;
+  for (const Piece& piece : order.pieces) {
+    if (!is_first) {
+      for (const FieldPoint& way_point : piece.approach) add(points, way_point, false);
+    }
+    is_first = false;
+    add(points, piece.entry, true);
+    if (!(piece.from == piece.entry)) add(points, piece.from, true);
+    add(points, piece.to, true);
+    add(points, piece.exit, false);
+  }
+  return points;
+}
+
+}  // namespace
+
+std::vector<exchange::SortieTrack> sortie_tracks(const scheduler::FleetPlan& plan) {
+  std::vector<exchange::SortieTrack> tracks;
+  for (const scheduler::UavPlan& uav : plan.uavs) {
+    std::uint32_t number = 0;
+    FieldPoint home = uav.vehicle.home;
+    for (const SortieOrder& order : scheduler::orders(plan.route, uav)) {
+      tracks.push_back({.uav = uav.vehicle.id,
+                        .sortie = ++number,
+                        .home = home,
+                        .points = track(order),
+                        .altitude = metres(altitude_m),
+                        .spray_speed = uav.vehicle.spray_speed,
+                        .ferry_speed = uav.vehicle.ferry_speed});
+      home = uav.station.position;  // from the second sortie on
+    }
+  }
+  return tracks;
+}
+
+}  // namespace furrow::app

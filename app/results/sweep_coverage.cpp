@@ -1,0 +1,42 @@
+#include "app/results/sweep_coverage.hpp"
+
+#include "planner/coverage/swath/swath.hpp"
+
+namespace furrow::app {
+namespace {
+
+// A track point tells what the valve does from there on; a flown place, what it did on the way.
+std::vector<planner::FlownPlace> places(const std::vector<TrackPoint>& track) {
+  std::vector<planner::FlownPlace> all;
+  bool is_open = false;
+  for (const TrackPoint& point : track) {
+    all.push_back({point.position, is_open});
+    is_open = point.spraying;
+  }
+  return all;
+}
+
+planner::SprayedAreas true_areas(const MissionRecord& record, const Flown* flown) {
+  if (flown == nullptr) return record.plan.sweep->areas;
+  std::vector<std::vector<planner::FlownPlace>> tracks;
+  for (const FlownUav& uav : flown->uavs) tracks.push_back(places(uav.track));
+  const auto coverage = planner::flown_coverage(record.scenario.field,
+                                                record.scenario.uavs.front().swath, tracks);
+  return coverage ? coverage->areas : planner::SprayedAreas{};  // the plan has judged the field
+}
+
+}  // namespace
+
+CoverageFigures sweep_coverage(const MissionRecord& record, const CoverageFigures& cells,
+                               const Flown* flown) {
+  const planner::SprayedAreas areas = true_areas(record, flown);
+  CoverageFigures figures = cells;
+  figures.covered_m2 = areas.covered.base();
+  figures.missed_m2 = areas.missed.base();
+  figures.repeated_m2 = areas.repeated.base();
+  figures.outside_m2 = areas.outside.base();
+  figures.unrouted_m2 = record.plan.sweep->areas.missed.base();
+  return figures;
+}
+
+}  // namespace furrow::app

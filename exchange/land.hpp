@@ -1,0 +1,47 @@
+#pragma once
+// Land in: a farm's own files as fields in a local metric frame.
+
+#include "core/expected.hpp"
+#include "core/field.hpp"
+#include "exchange/land_file.hpp"
+#include "exchange/local_frame.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace furrow::exchange {
+
+/// One polygon of a land file.
+struct Land {
+  Field field;  ///< Rings without repeated vertices; not checked for crossings. No obstacles.
+  Datum datum;  ///< Origin of the field frame: the centroid of the boundary, to 1e-7 degrees.
+  std::optional<Area> stated_area;  ///< As the file says it, where it does.
+  std::string name;                 ///< Of the feature, otherwise of the file.
+  std::size_t features;             ///< Polygons in the file.
+};
+
+/// Reads polygon number `feature`, from 0, of a land file of at most 64 MiB.
+///
+/// Formats, told by content: GeoJSON, KML, WKT (also EWKT, several in a row), GML (also inside a
+/// GAOS parcel), shapefile (with its siblings), GeoPackage, ISOXML v3 and v4. Every part of a
+/// multipolygon is a feature of its own, except parts that meet at the antimeridian. Holes are
+/// kept, heights dropped. Of ISOXML part fields, boundaries (PLN type 1) count as features; water,
+/// buildings, roads and obstacles (types 3 to 6) are cut out of them; other zones are ignored.
+///
+/// Any CRS that PROJ knows. Without one, coordinates must be WGS84 longitude and latitude in
+/// degrees: a field in bare metres has no place on the globe and is refused.
+///
+/// @return the field, or why the file is none; never throws, prints, or reads from a network.
+Expected<Land, LandError> read_land(const std::string& path, std::size_t feature);
+Expected<Land, LandError> read_land(const LandFile& file, std::size_t feature);
+
+/// Reads obstacles from a GeoJSON file of points, each with its `radius_m` (> 0) and perhaps an
+/// `id` or a `name`, into the field frame.
+Expected<std::vector<Obstacle>, LandError> read_obstacles(const std::string& path,
+                                                          const LocalFrame& frame);
+Expected<std::vector<Obstacle>, LandError> read_obstacles(const LandFile& file,
+                                                          const LocalFrame& frame);
+
+}  // namespace furrow::exchange

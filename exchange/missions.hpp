@@ -1,0 +1,48 @@
+#pragma once
+// Missions out: one file per aircraft and sortie, in WGS84, for the tools of others.
+
+#include "core/field.hpp"
+#include "core/ids.hpp"
+#include "exchange/local_frame.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace furrow::exchange {
+
+/// A place to fly over, and what the valve does from there on.
+struct TrackPoint {
+  FieldPoint at;
+  bool is_spraying;
+};
+
+/// One trip of one aircraft: from home over the points and back home.
+struct SortieTrack {
+  AgentId uav;
+  std::uint32_t sortie;  ///< From 1.
+  FieldPoint home;
+  std::vector<TrackPoint> points;  ///< At least one. The valve closes at the last at the latest.
+  Length altitude;                 ///< Above home, > 0.
+  Speed spray_speed, ferry_speed;  ///< > 0
+};
+
+enum class MissionFormat { qgc_plan, waypoints, geojson, kml, csv };
+
+/// The format called "qgc-plan", "waypoints", "geojson", "kml" or "csv".
+std::optional<MissionFormat> mission_format(std::string_view name);
+
+/// "uav1_sortie2.plan", with the extension of the format.
+std::string file_name(const SortieTrack& track, MissionFormat format);
+
+/// The sortie as a file; coordinates to 1e-9 degrees.
+///
+/// qgc_plan and waypoints hold MAVLink items: take-off, speed, waypoints, DO_SPRAYER in pairs of
+/// on and off, return to launch. An item that acts is placed behind the waypoint where it acts.
+/// geojson and kml hold one line per stretch of one valve state, csv one row per point, all
+/// with home first and last.
+std::string mission_file(const SortieTrack& track, const LocalFrame& frame, MissionFormat format);
+
+}  // namespace furrow::exchange

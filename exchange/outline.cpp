@@ -1,0 +1,181 @@
+#include "exchange/outline.hpp"
+
+#include "exchange/gdal.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace furrow::exchange {
+
+namespace {
+
+using GeoRing = std::vector<GeoPoint>;
+using Rings = std::vector<GeoRing>;  // the boundary first
+
+constexpr double widest_deg = 2;  // of latitude, 220 km; more is no field, and no plane frame
+constexpr double widest_m = 100'000;
+
+Fault not_degrees(GeoPoint p) {
+  return {"coordinates must be degrees on the globe, or have a CRS",
+          fmt::format("{}, {}", p.lon_deg, p.lat_deg)};
+}
+
+Rings rings_of(const OGRPolygon& polygon) {
+  Rings rings;
+  for (const OGRLinearRing* source : polygon) {
+    GeoRing& ring = rings.emplace_back();
+    for (int i = 0; i < source->getNumPoints(); ++i) {
+      ring.push_back({source->getX(i), source->getY(i)});
+    }
+  }
+  return rings;
+}
+
+bool is_on_globe(GeoPoint p) { return std::abs(p.lon_deg) <= 540 && std::abs(p.lat_deg) <= 90; }
+
+std::optional<Fault> bring_to_wgs84(Rings& rings, const OGRSpatialReference& crs) {
+  const OGRSpatialReference globe = wgs84();
+  const std::unique_ptr<OGRCoordinateTransformation> transform{
+      OGRCreateCoordinateTransformation(&crs, &globe)};
+  const char* name = crs.GetName();
+  const Fault fault{"CRS must be one that can be brought to WGS84",
+                    shown(name ? name : "nameless")};
+  if (!transform) return fault;
+  for (GeoRing& ring : rings) {
+    for (GeoPoint& p : ring) {
+      if (!std::isfinite(p.lon_deg) || !std::isfinite(p.lat_deg)) return not_degrees(p);
+      if (!transform->Transform(1, &p.lon_deg, &p.lat_deg)) return fault;
+    }
+  }
+  return std::nullopt;
+}
+
+// Longitudes within half a turn of the first vertex, so that none jumps at the antimeridian.
+void unroll(Rings& rings) {
+  const double first_deg = rings.front().front().lon_deg;
+  for (GeoRing& ring : rings) {
+    for (GeoPoint& p : ring) p.lon_deg = first_deg + std::remainder(p.lon_deg - first_deg, 360.0);
+  }
+}
+
+std::optional<Fault> extent_fault(const GeoRing& boundary) {
+  const auto [south, north] = std::minmax_element(
+      boundary.begin(), boundary.end(), [](auto a, auto b) { return a.lat_deg < b.lat_deg; });
+  const auto [west, east] = std::minmax_element(
+      boundary.begin(), boundary.end(), [](auto a, auto b) { return a.lon_deg < b.lon_deg; });
+  if (std::max(std::abs(south->lat_deg), std::abs(north->lat_deg)) > 85) {
+    return Fault{"must lie within 85 degrees of the equator",
+                 fmt::format("{} to {} degrees", south->lat_deg, north->lat_deg)};
+  }
+  const double width_deg = (east->lon_deg - west->lon_deg) * std::cos(south->lat_deg * M_PI / 180);
+  if (std::max(width_deg, north->lat_deg - south->lat_deg) > widest_deg) {
+    return Fault{"must be at most 200 km wide",
+                 fmt::format("{:.3g} x {:.3g} degrees; bare metres need a CRS",
+                             east->lon_deg - west->lon_deg, north->lat_deg - south->lat_deg)};
+  }
+  return std::nullopt;
+}
+
+// The centroid, by the shoelace formula around the first vertex; degrees serve as a plane.
+std::optional<Datum> centroid(const GeoRing& ring) {
+  const GeoPoint o = ring.front();
+  double twice_area = 0, lon = 0, lat = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const GeoPoint a = ring[i], b = ring[(i + 1) % ring.size()];
+    const double ax = a.lon_deg - o.lon_deg, ay = a.lat_deg - o.lat_deg;
+    const double bx = b.lon_deg - o.lon_deg, by = b.lat_deg - o.lat_deg;
+    const double cross = ax * by - bx * ay;
+    twice_area += cross;
+    lon += (ax + bx) * cross;
+    lat += (ay + by) * cross;
+  }
+  constexpr double a_hand_deg2 = 1e-12;  // 0.01 m2
+  if (!(std::abs(twice_area) > a_hand_deg2)) return std::nullopt;
+  const auto rounded = [](double deg) { return std::round(deg * 1e7) / 1e7; };
+  return Datum{.lat_deg = rounded(o.lat_deg + lat / (3 * twice_area)),
+               .lon_deg = rounded(std::remainder(o.lon_deg + lon / (3 * twice_area), 360.0))};
+}
+
+// In the field frame, without the repeated last vertex and other repetitions.
+Ring ring_in(const LocalFrame& frame, const GeoRing& source) {
+  Ring ring;
+  for (const GeoPoint p : source) {
+    const FieldPoint at = frame.to_field(p);
+    if (ring.empty() || !(ring.back() == at)) ring.push_back(at);
+  }
+  while (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
+  return ring;
+}
+
+std::optional<Fault> content_fault(const Rings& rings) {
+  if (rings.empty() || rings.front().empty()) return Fault{"boundary must have vertices", "none"};
+  std::size_t vertices = 0;
+  for (const GeoRing& ring : rings) vertices += ring.size();
+  if (vertices > most_vertices) {
+    return Fault{fmt::format("must have at most {} vertices", most_vertices),
+                 std::to_string(vertices)};
+  }
+  for (const GeoRing& ring : rings) {
+    const auto off = std::find_if_not(ring.begin(), ring.end(), is_on_globe);
+    if (off != ring.end()) return not_degrees(*off);
+  }
+  return std::nullopt;
+}
+
+std::optional<Fault> ring_fault(const Ring& ring, Datum datum) {
+  if (ring.size() < 3) return Fault{"rings must have 3 vertices", std::to_string(ring.size())};
+  for (const FieldPoint p : ring) {
+    const double away_m = distance(at_m(0, 0), p).base();
+    if (!(away_m <= widest_m)) {
+      return Fault{
+          "must reach at most 100 km from its centroid",
+          fmt::format("{:.0f} km from {}, {}", away_m / 1000, datum.lon_deg, datum.lat_deg)};
+    }
+  }
+  return std::nullopt;
+}
+
+Expected<Field, Fault> field_in(const LocalFrame& frame, const Rings& rings) {
+  Field field;
+  for (const GeoRing& source : rings) {
+    Ring ring = ring_in(frame, source);
+    if (auto fault = ring_fault(ring, frame.datum())) return Unexpected{*fault};
+    if (&source == &rings.front()) {
+      field.boundary = std::move(ring);
+    } else {
+      field.holes.push_back(std::move(ring));
+    }
+  }
+  return field;
+}
+
+}  // namespace
+
+Expected<Land, Fault> outline(const FoundPolygon& found) {
+  const GdalScope quiet;
+  Rings rings = rings_of(*found.polygon);
+  std::erase_if(rings, [&](const GeoRing& ring) { return ring.empty(); });
+  if (found.crs && !rings.empty()) {
+    if (auto fault = bring_to_wgs84(rings, *found.crs)) return Unexpected{*fault};
+  }
+  if (auto fault = content_fault(rings)) return Unexpected{*fault};
+  unroll(rings);
+  if (auto fault = extent_fault(rings.front())) return Unexpected{*fault};
+  const auto datum = centroid(rings.front());
+  if (!datum) return Unexpected{Fault{"boundary must enclose an area", "none"}};
+  if (std::abs(datum->lat_deg) > 85) {
+    return Unexpected{Fault{"boundary must not cross itself", "a centroid outside"}};
+  }
+  auto field = field_in(LocalFrame{*datum}, rings);
+  if (!field) return Unexpected{field.error()};
+  return Land{.field = std::move(*field),
+              .datum = *datum,
+              .stated_area = found.stated_area,
+              .name = shown(found.name),
+              .features = 0};
+}
+
+}  // namespace furrow::exchange

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "exchange/missions.hpp"
+
+#include <string>
+#include <vector>
+
+namespace furrow::exchange {
+
+/// A stretch of a sortie flown with one valve state; neighbours share a point.
+struct TrackLine {
+  std::vector<GeoPoint> points;  ///< At least 2.
+  bool is_spraying;
+};
+
+/// The sortie from home to home, in order.
+std::vector<TrackLine> track_lines(const SortieTrack& track, const LocalFrame& frame);
+
+std::string geojson(const SortieTrack& track, const LocalFrame& frame);
+std::string kml(const SortieTrack& track, const LocalFrame& frame);
+std::string csv(const SortieTrack& track, const LocalFrame& frame);
+
+}  // namespace furrow::exchange

@@ -1,0 +1,36 @@
+#include "planner/coverage/cover.hpp"
+
+#include "planner/coverage/swath/swath_route.hpp"
+
+namespace furrow::planner {
+namespace {
+
+Expected<Coverage, PlanError> walked(const Field& field, Length swath,
+                                     const CoverageSettings& settings) {
+  auto route = coverage_route(field, swath, settings);
+  if (!route) return Unexpected{route.error()};
+  return Coverage{std::move(*route), settings.work_direction_deg, std::nullopt};
+}
+
+Expected<Coverage, PlanError> swept(const Field& field, Length swath,
+                                    const SwathSettings& settings) {
+  const auto swaths = swath_coverage(field, swath, settings);
+  if (!swaths) return Unexpected{swaths.error()};
+  return Coverage{swath_route(*swaths, swath), swaths->direction_deg,
+                  SweepFigures{.areas = swaths->areas,
+                               .dropped = swaths->dropped,
+                               .sprayed = swaths->sprayed,
+                               .route = swaths->route,
+                               .order_bound = swaths->order_bound,
+                               .order_exact = swaths->order_exact,
+                               .parts = static_cast<std::uint32_t>(swaths->parts)}};
+}
+
+}  // namespace
+
+Expected<Coverage, PlanError> cover(const Field& field, Length swath, const CoverageModel& model) {
+  if (const auto* grid = std::get_if<CoverageSettings>(&model)) return walked(field, swath, *grid);
+  return swept(field, swath, std::get<SwathSettings>(model));
+}
+
+}  // namespace furrow::planner

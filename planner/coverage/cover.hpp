@@ -1,0 +1,38 @@
+#pragma once
+// The one door to coverage: every model ends in a Route.
+
+#include "planner/coverage/swath/swath.hpp"
+#include "planner/coverage/walk.hpp"
+
+#include <optional>
+#include <variant>
+
+namespace furrow::planner {
+
+/// How a field is covered: walked on a grid of cells (spec of Wang et al. 2017), or swept by
+/// parallel rows of any direction.
+using CoverageModel = std::variant<CoverageSettings, SwathSettings>;
+
+/// What the sweep tells of itself.
+struct SweepFigures {
+  SprayedAreas areas;          ///< From the union of footprints of the strips as planned.
+  Area dropped;                ///< What strips below the least length would have sprayed.
+  Length sprayed, route;       ///< The strips; the strips and their connections.
+  Length order_bound;          ///< No order of the same groups of rows is shorter.
+  bool order_exact;
+  std::uint32_t parts;         ///< Pieces into which margin and holes split the field.
+};
+
+struct Coverage {
+  Route route;
+  double direction_deg;               ///< Heading of the strips, clockwise from north.
+  std::optional<SweepFigures> sweep;  ///< Of the swath model.
+};
+
+/// Covers `field` by `model`.
+///
+/// @param swath  > 0.
+/// @error  As `coverage_route` and `swath_coverage`.
+Expected<Coverage, PlanError> cover(const Field& field, Length swath, const CoverageModel& model);
+
+}  // namespace furrow::planner

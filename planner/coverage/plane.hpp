@@ -1,0 +1,83 @@
+#pragma once
+// Plane geometry in raw metres for the hot loops of coverage. Public doors speak in
+// FieldPoint and Length; models convert once each way.
+
+#include <cmath>
+#include <vector>
+
+namespace furrow::planner {
+
+/// A place or a displacement, in metres, in a frame that the user of it names.
+struct PointM {
+  double x, y;
+  friend constexpr PointM operator+(PointM a, PointM b) { return {a.x + b.x, a.y + b.y}; }
+  friend constexpr PointM operator-(PointM a, PointM b) { return {a.x - b.x, a.y - b.y}; }
+  friend constexpr PointM operator*(double k, PointM a) { return {k * a.x, k * a.y}; }
+  friend constexpr bool operator==(PointM, PointM) = default;
+};
+
+constexpr double cross(PointM a, PointM b) { return a.x * b.y - a.y * b.x; }
+constexpr double dot(PointM a, PointM b) { return a.x * b.x + a.y * b.y; }
+inline double norm(PointM a) { return std::sqrt(dot(a, a)); }
+
+using RingM = std::vector<PointM>;
+using PathM = std::vector<PointM>;
+
+/// One connected piece of land: what `outer` encloses and no hole does. `outer` runs
+/// counter-clockwise and holes clockwise, so that land is always on the left of an edge.
+struct LandPart {
+  RingM outer;
+  std::vector<RingM> holes;
+};
+using LandParts = std::vector<LandPart>;
+
+/// Twice-signed shoelace halved: positive for a counter-clockwise ring, in m2.
+inline double signed_area_m2(const RingM& ring) {
+  double twice = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    twice += cross(ring[i] - ring[0], ring[(i + 1) % ring.size()] - ring[0]);
+  }
+  return twice / 2;
+}
+
+inline double area_m2(const LandPart& part) {
+  double sum = signed_area_m2(part.outer);
+  for (const RingM& hole : part.holes) sum += signed_area_m2(hole);
+  return sum;
+}
+
+inline double area_m2(const LandParts& parts) {
+  double sum = 0;
+  for (const LandPart& part : parts) sum += area_m2(part);
+  return sum;
+}
+
+inline double length_m(const PathM& path) {
+  double sum = 0;
+  for (std::size_t i = 1; i < path.size(); ++i) sum += norm(path[i] - path[i - 1]);
+  return sum;
+}
+
+/// A frame turned so that rows lie along +x of it: `to` maps field to rows, `from` back.
+struct RowFrame {
+  double cosine, sine;
+
+  static RowFrame along(PointM direction) {
+    const double length = norm(direction);
+    return {direction.x / length, direction.y / length};
+  }
+  PointM to(PointM p) const { return {cosine * p.x + sine * p.y, -sine * p.x + cosine * p.y}; }
+  PointM from(PointM p) const { return {cosine * p.x - sine * p.y, sine * p.x + cosine * p.y}; }
+};
+
+/// Calls `use(a, b)` for every edge of `part`, outer ring first, land on the left.
+template <class Use>
+void each_edge(const LandPart& part, Use use) {
+  const auto ring_edges = [&](const RingM& ring) {
+    for (std::size_t i = 0; i < ring.size(); ++i) use(ring[i], ring[(i + 1) % ring.size()]);
+  };
+  ring_edges(part.outer);
+  for (const RingM& hole : part.holes) ring_edges(hole);
+}
+
+}  // namespace furrow::planner

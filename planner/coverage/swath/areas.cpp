@@ -1,0 +1,128 @@
+#include "planner/coverage/swath/areas.hpp"
+
+#include "planner/coverage/geos.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace furrow::planner {
+namespace {
+
+constexpr double shortest_m = 1e-9;
+
+// Rows flown side by side, joined into one outline without any overlay: what makes the union of a
+// thousand rows cheap.
+class RowStack {
+ public:
+  RowStack(PointM a, PointM b, double half_m)
+      : frame_{RowFrame::along(b - a)}, half_m_{half_m}, spans_{span(a, b)} {}
+
+  // Whether the row lies exactly one width beside the last one and overlaps it; adds it if so.
+  bool takes(PointM a, PointM b, double half_m) {
+    const Span next = span(a, b), last = spans_.back();
+    const double step_m = next.v_m - last.v_m;
+    const bool straight = std::abs(frame_.to(b).y - frame_.to(a).y) <= same_m;
+    const bool beside = std::abs(std::abs(step_m) - 2 * half_m_) <= same_m &&
+                        (spans_.size() == 1 || (step_m > 0) == upwards_);
+    const bool overlaps =
+        std::min(next.high_m, last.high_m) - std::max(next.low_m, last.low_m) > same_m;
+    if (half_m != half_m_ || !straight || !beside || !overlaps) return false;
+    upwards_ = step_m > 0;
+    spans_.push_back(next);
+    return true;
+  }
+
+  LandPart outline() const {
+    std::vector<Span> rows = spans_;
+    if (!upwards_) std::reverse(rows.begin(), rows.end());
+    RingM right, left;
+    double bottom_m = rows.front().v_m - half_m_;
+    for (const Span& row : rows) {
+      const double top_m = row.v_m + half_m_;
+      right.insert(right.end(), {{row.high_m, bottom_m}, {row.high_m, top_m}});
+      left.insert(left.end(), {{row.low_m, bottom_m}, {row.low_m, top_m}});
+      bottom_m = top_m;
+    }
+    LandPart made{std::move(right), {}};
+    made.outer.insert(made.outer.end(), left.rbegin(), left.rend());
+    for (PointM& p : made.outer) p = frame_.from(p);
+    return made;
+  }
+
+ private:
+  static constexpr double same_m = 1e-8;
+  struct Span {
+    double low_m, high_m, v_m;
+  };
+  Span span(PointM a, PointM b) const {
+    const PointM p = frame_.to(a), q = frame_.to(b);
+    return {std::min(p.x, q.x), std::max(p.x, q.x), p.y};
+  }
+
+  RowFrame frame_;
+  double half_m_;
+  std::vector<Span> spans_;
+  bool upwards_ = true;
+};
+
+PathM without_repeats(const PathM& path) {
+  PathM made;
+  for (const PointM p : path) {
+    if (made.empty() || norm(p - made.back()) > shortest_m) made.push_back(p);
+  }
+  return made;
+}
+
+// Length times width, and at bends the wedge on the outside of the turn.
+double swept_m2(const SprayedRun& run) {
+  const PathM path = without_repeats(run.path);
+  double sum = length_m(path) * run.width_m;
+  for (std::size_t i = 1; i + 1 < path.size(); ++i) {
+    const PointM in = path[i] - path[i - 1], out = path[i + 1] - path[i];
+    const double turn = std::abs(std::atan2(cross(in, out), dot(in, out)));
+    sum += turn / 2 * (run.width_m / 2) * (run.width_m / 2);
+  }
+  return sum;
+}
+
+LandParts footprints(const std::vector<SprayedRun>& runs) {
+  LandParts made;
+  std::optional<RowStack> stack;
+  for (const SprayedRun& run : runs) {
+    const PathM path = without_repeats(run.path);
+    if (path.size() < 2) continue;
+    const double half_m = run.width_m / 2;
+    if (path.size() > 2) {
+      LandParts wide = widened(path, half_m);
+      made.insert(made.end(), wide.begin(), wide.end());
+    } else if (!stack || !stack->takes(path[0], path[1], half_m)) {
+      if (stack) made.push_back(stack->outline());
+      stack.emplace(path[0], path[1], half_m);
+    }
+  }
+  if (stack) made.push_back(stack->outline());
+  return made;
+}
+
+}  // namespace
+
+SprayedAreas sprayed_areas(const std::vector<SprayedRun>& runs, const LandParts& land) {
+  const LandParts all = united(footprints(runs));
+  double sprayed_m2 = 0;
+  for (const SprayedRun& run : runs) sprayed_m2 += swept_m2(run);
+  const double once_m2 = area_m2(all);
+  const double outside_m2 = all.empty() ? 0 : area_m2(subtracted(all, land));
+  const double covered_m2 = once_m2 - outside_m2;
+  return {.sprayed = square_metres(sprayed_m2),
+          .covered = square_metres(covered_m2),
+          .missed = square_metres(area_m2(land) - covered_m2),
+          .repeated = square_metres(std::max(0.0, sprayed_m2 - once_m2)),
+          .outside = square_metres(outside_m2)};
+}
+
+LandParts missed_land(const std::vector<SprayedRun>& runs, const LandParts& land) {
+  return subtracted(land, united(footprints(runs)));
+}
+
+}  // namespace furrow::planner

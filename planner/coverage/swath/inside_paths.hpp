@@ -1,0 +1,46 @@
+#pragma once
+
+#include "planner/coverage/swath/edge_grid.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace furrow::planner {
+
+/// Shortest ways between places of one connected piece of land that never leave it.
+///
+/// A shortest way bends only at reflex vertices, and there only around the corner: A* over the
+/// visibility graph of these, grown as far as it is asked for and kept between questions.
+/// Source: Lozano-Perez, Wesley 1979; bends as tangents after Rohnert 1986.
+class InsidePaths {
+ public:
+  explicit InsidePaths(const LandPart& part);
+
+  /// From `a` to `b`, both included, at least two places.
+  /// @return  Nothing if `a` or `b` is not on the land.
+  std::optional<PathM> shortest(PointM a, PointM b) const;
+
+  const EdgeGrid& edges() const { return grid_; }
+
+ private:
+  struct Corner {
+    PointM at, before, after;  ///< A reflex vertex and its neighbours.
+  };
+  struct Link {
+    std::size_t to;
+    double length_m;
+  };
+
+  bool bends_around(PointM from, const Corner& corner) const;
+  const std::vector<Link>& links_of(std::size_t corner) const;
+  std::optional<PathM> along_ring(PointM a, PointM b) const;
+  std::optional<PathM> search(PointM a, PointM b, double longest_m) const;
+
+  EdgeGrid grid_;
+  std::vector<RingM> rings_;
+  std::vector<Corner> corners_;
+  mutable std::vector<std::optional<std::vector<Link>>> links_;  ///< Filled when first needed.
+};
+
+}  // namespace furrow::planner

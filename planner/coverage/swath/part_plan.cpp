@@ -1,0 +1,209 @@
+#include "planner/coverage/swath/part_plan.hpp"
+
+#include "planner/coverage/swath/cells.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace furrow::planner {
+namespace {
+
+constexpr int searched_degrees = 180;
+constexpr std::size_t most_edges = 8;    // whose directions are tried
+constexpr std::size_t most_planned = 3;  // directions planned in full
+constexpr std::size_t most_cut = 4;      // directions along which cells are cut
+constexpr std::size_t most_cells = 12;
+constexpr double steepest_extension = 5.0;  // cotangent of the flattest edge that rows run past
+
+SweepRule sweep_rule(const PlanRule& rule) {
+  return {.swath_m = rule.swath_m,
+          .edge_gap_m = std::max(0.0, rule.swath_m / 2 - rule.margin_m),
+          .edges = rule.settings.edges,
+          .last_row = rule.settings.last_row,
+          .min_strip_m = rule.settings.min_strip.base()};
+}
+
+double rows_cost_m(const Sweep& rows, const PlanRule& rule) {
+  double sum = 0;
+  for (const Chord& chord : rows.chords) sum += chord.length_m();
+  return sum +
+         static_cast<double>(rows.chords.size()) * (rule.settings.turn_cost.base() + rule.swath_m);
+}
+
+// Inside rows leave land out; each metre of row that is missing counts twice, so that a direction
+// along the edges wins over one that saves a turn.
+double left_out_cost_m(const LandParts& pieces, double sprayed_m, const PlanRule& rule) {
+  if (rule.settings.edges == EdgeMode::cover_all) return 0;
+  return 2 * std::max(0.0, area_m2(pieces) / rule.swath_m - sprayed_m);
+}
+
+// Rows, turns, how ragged their ends are, and a swath for every second group on a row.
+double coarse_cost_m(const LandPart& piece, RowFrame frame, const PlanRule& rule) {
+  SweepRule coarse = sweep_rule(rule);
+  coarse.min_strip_m = 0;
+  const Sweep rows = sweep(piece, {piece}, frame, coarse);
+  std::size_t leaps = 0;
+  for (std::size_t i = 1; i < rows.chords.size(); ++i) {
+    if (rows.chords[i].row == rows.chords[i - 1].row) ++leaps;
+  }
+  double ends_m = 0;  // how far ends of neighbouring rows lie apart along the rows
+  for (std::size_t i = 1; i < rows.chords.size(); ++i) {
+    ends_m += std::abs(rows.chords[i].low_m - rows.chords[i - 1].low_m) +
+              std::abs(rows.chords[i].high_m - rows.chords[i - 1].high_m);
+  }
+  const double chords = static_cast<double>(rows.chords.size());
+  double sprayed_m = 0;
+  for (const Chord& chord : rows.chords) sprayed_m += chord.length_m();
+  return rows_cost_m(rows, rule) + left_out_cost_m({piece}, sprayed_m, rule) + ends_m / 2 +
+         std::min<double>(static_cast<double>(leaps), chords) * rule.swath_m;
+}
+
+PointM end_of(const Sweep& rows, const Chord& chord, bool high) {
+  return rows.frame.from({high ? chord.high_m : chord.low_m, rows.rows[chord.row].v_m});
+}
+
+// Where rows end at a cut and not at the edge of the flight area, runs them on until their whole
+// width has crossed the cut.
+void run_past_cuts(Sweep& rows, const LandPart& piece, const LandPart& flight,
+                   const EdgeGrid& edges) {
+  std::vector<double> slope;  // of each edge of the piece, along per across
+  each_edge(piece, [&](PointM a, PointM b) {
+    const PointM along = rows.frame.to(b) - rows.frame.to(a);
+    slope.push_back(along.y == 0 ? INFINITY : std::abs(along.x / along.y));
+  });
+  for (Chord& chord : rows.chords) {
+    for (const bool high : {false, true}) {
+      const auto edge = static_cast<std::size_t>(high ? chord.right_edge : chord.left_edge);
+      if (slope[edge] < 1e-6 || slope[edge] > steepest_extension) continue;
+      const PointM end = end_of(rows, chord, high);
+      if (edges.edge_at(end)) continue;
+      const double more_m = slope[edge] * rows.rows[chord.row].half_width_m;
+      double& place = high ? chord.high_m : chord.low_m;
+      const double wanted = high ? place + more_m : place - more_m;
+      const Row line = rows.rows[chord.row];
+      for (const Chord& room : chords_at(flight, {}, rows.frame, line, EdgeMode::cover_all)) {
+        if (room.low_m <= place && place <= room.high_m) {
+          place = std::clamp(wanted, room.low_m, room.high_m);
+          break;
+        }
+      }
+    }
+  }
+}
+
+void add_groups(PartPlan& plan, const LandPart& piece, const LandPart& flight,
+                const LandParts& land, const EdgeGrid& edges, RowFrame direction,
+                const PlanRule& rule, bool is_cut) {
+  SweepRule numbers = sweep_rule(rule);
+  if (is_cut) numbers.edge_gap_m = rule.swath_m / 2;
+  Sweep rows = sweep(piece, land, direction, numbers);
+  if (is_cut && rule.settings.edges == EdgeMode::cover_all) {
+    run_past_cuts(rows, piece, flight, edges);
+  }
+  plan.dropped_m2 += rows.dropped_m2;
+  for (StripGroup& group : strip_groups(rows, rule.swath_m)) {
+    plan.groups.push_back(std::move(group));
+  }
+}
+
+void put_in_order(PartPlan& plan, const LandPart& flight, const InsidePaths& paths,
+                  const PlanRule& rule) {
+  plan.order = strip_order(plan.groups, paths, rule.start);
+  double sprayed_m = 0;
+  for (const OrderedStrip& s : plan.order.strips) sprayed_m += norm(s.strip.b - s.strip.a);
+  plan.cost_m = plan.order.route_m + left_out_cost_m({flight}, sprayed_m, rule) +
+                rule.settings.turn_cost.base() * static_cast<double>(plan.order.strips.size());
+}
+
+RowFrame best_in_cell(const LandPart& cell, RowFrame cut_along, const PlanRule& rule) {
+  std::vector<RowFrame> tried = edge_directions(cell, most_edges);
+  tried.insert(tried.begin(), cut_along);
+  RowFrame best = cut_along;
+  double least_m = INFINITY;
+  for (const RowFrame frame : tried) {
+    const double cost = coarse_cost_m(cell, frame, rule);
+    if (cost < least_m - 1e-9) {
+      least_m = cost;
+      best = frame;
+    }
+  }
+  return best;
+}
+
+PartPlan plan_cells(const LandParts& cells, const LandPart& flight, const LandParts& land,
+                    const InsidePaths& paths, RowFrame cut_along, const PlanRule& rule,
+                    const std::vector<StripGroup>& first) {
+  PartPlan plan{.groups = first, .order = {}};
+  double largest_m2 = 0;
+  for (const LandPart& cell : cells) {
+    const RowFrame direction = best_in_cell(cell, cut_along, rule);
+    if (area_m2(cell) > largest_m2) {
+      largest_m2 = area_m2(cell);
+      plan.direction = direction;
+    }
+    add_groups(plan, cell, flight, land, paths.edges(), direction, rule, true);
+  }
+  put_in_order(plan, flight, paths, rule);
+  return plan;
+}
+
+}  // namespace
+
+std::vector<RowFrame> ranked_directions(const LandParts& pieces, const PlanRule& rule,
+                                        std::size_t most) {
+  std::vector<RowFrame> frames;
+  for (const LandPart& piece : pieces) {
+    for (const RowFrame frame : edge_directions(piece, most_edges)) frames.push_back(frame);
+  }
+  for (int degree = 0; degree < searched_degrees; ++degree) {
+    const double angle = degree * std::numbers::pi / 180;
+    frames.push_back({std::cos(angle), std::sin(angle)});
+  }
+  std::vector<std::pair<double, RowFrame>> ranked;
+  for (const RowFrame frame : frames) {
+    double cost = 0;
+    for (const LandPart& piece : pieces) cost += coarse_cost_m(piece, frame, rule);
+    ranked.push_back({cost, frame});
+  }
+  std::stable_sort(ranked.begin(), ranked.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  frames.clear();
+  for (std::size_t i = 0; i < std::min(most, ranked.size()); ++i) {
+    frames.push_back(ranked[i].second);
+  }
+  return frames;
+}
+
+PartPlan plan_one_direction(const LandPart& piece, const LandPart& flight, const LandParts& land,
+                            const InsidePaths& paths, RowFrame direction, const PlanRule& rule,
+                            const std::vector<StripGroup>& first) {
+  PartPlan plan{.groups = first, .order = {}, .direction = direction};
+  add_groups(plan, piece, flight, land, paths.edges(), direction, rule, !first.empty());
+  put_in_order(plan, flight, paths, rule);
+  return plan;
+}
+
+PartPlan plan_best(const LandPart& piece, const LandPart& flight, const LandParts& land,
+                   const InsidePaths& paths, const PlanRule& rule,
+                   const std::vector<StripGroup>& first) {
+  const std::vector<RowFrame> directions = ranked_directions({piece}, rule, most_planned);
+  PartPlan best;
+  best.cost_m = INFINITY;
+  for (const RowFrame direction : directions) {
+    PartPlan plan = plan_one_direction(piece, flight, land, paths, direction, rule, first);
+    if (plan.cost_m < best.cost_m) best = std::move(plan);
+  }
+  const EdgeGrid edges{piece};
+  std::vector<RowFrame> cuts = edge_directions(piece, most_cut);
+  cuts.push_back(directions.front());
+  for (const RowFrame along : cuts) {
+    const LandParts cells = row_cells(piece, edges, along);
+    if (cells.size() < 2 || cells.size() > most_cells) continue;
+    PartPlan plan = plan_cells(cells, flight, land, paths, along, rule, first);
+    if (plan.cost_m < best.cost_m) best = std::move(plan);
+  }
+  return best;
+}
+
+}  // namespace furrow::planner

@@ -1,0 +1,235 @@
+#include "planner/coverage/swath/ragged_edges.hpp"
+
+#include "planner/coverage/swath/strips.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace furrow::planner {
+namespace {
+
+constexpr int most_rounds = 4;
+constexpr int first_apart = 2;      // round from which each missed place gets a strip of its own
+constexpr double bend = 0.05;       // swaths by which an edge strip may pass a curved edge
+constexpr double shortest = 0.1;    // swaths of edge that are worth a strip
+constexpr double widest_gap = 8.0;  // swaths between missed places that one strip still joins
+
+// A side of a ring, or a chord of it that passes over vertices.
+struct Edge {
+  PointM from, to;
+  double bulge_m;  ///< How far passed-over vertices lie from it.
+};
+
+// Missed places along one edge, in its row frame.
+struct Stretch {
+  std::size_t edge;
+  double low_m, high_m, missed_m2;
+};
+
+double distance_m(PointM p, const Edge& edge) {
+  const PointM along = edge.to - edge.from;
+  const double square = dot(along, along);
+  const double t = square > 0 ? std::clamp(dot(p - edge.from, along) / square, 0.0, 1.0) : 0.0;
+  return norm(p - (edge.from + t * along));
+}
+
+PointM middle_of(const RingM& ring) {
+  PointM sum{0, 0};
+  for (const PointM p : ring) sum = sum + p;
+  return (1.0 / static_cast<double>(ring.size())) * sum;
+}
+
+// Chords between `first` and `last` (taken round the ring) that pass vertices within `bend_m`.
+// Source: Douglas, Peucker 1973.
+void append_chords(const RingM& ring, std::size_t first, std::size_t last, double bend_m,
+                   std::vector<Edge>& edges) {
+  const Edge chord{ring[first % ring.size()], ring[last % ring.size()], 0};
+  double furthest_m = 0;
+  std::size_t split = first;
+  for (std::size_t i = first + 1; i < last; ++i) {
+    const double away_m = distance_m(ring[i % ring.size()], chord);
+    if (away_m > furthest_m) {
+      furthest_m = away_m;
+      split = i;
+    }
+  }
+  if (furthest_m <= bend_m) {
+    if (!(chord.from == chord.to)) edges.push_back({chord.from, chord.to, furthest_m});
+    return;
+  }
+  append_chords(ring, first, split, bend_m, edges);
+  append_chords(ring, split, last, bend_m, edges);
+}
+
+std::vector<Edge> edges_of(const LandParts& land, double bend_m) {
+  std::vector<Edge> edges;
+  const auto add = [&](const RingM& ring) {
+    append_chords(ring, 0, ring.size() / 2, bend_m, edges);
+    append_chords(ring, ring.size() / 2, ring.size(), bend_m, edges);
+  };
+  for (const LandPart& part : land) {
+    add(part.outer);
+    for (const RingM& hole : part.holes) add(hole);
+  }
+  return edges;
+}
+
+std::size_t nearest_edge(const std::vector<Edge>& edges, std::size_t count, PointM p) {
+  std::size_t best = 0;
+  double best_m = INFINITY;
+  for (std::size_t e = 0; e < count; ++e) {
+    const double away_m = distance_m(p, edges[e]);
+    if (away_m < best_m) {
+      best_m = away_m;
+      best = e;
+    }
+  }
+  return best;
+}
+
+// An edge half a swath beside the middle of `part`, along its longest side: a strip beside that
+// edge runs through the middle.
+Edge own_edge(const LandPart& part, double swath_m) {
+  Edge longest{part.outer[0], part.outer[1], 0};
+  each_edge(part, [&](PointM a, PointM b) {
+    if (norm(b - a) > norm(longest.to - longest.from)) longest = {a, b, 0};
+  });
+  const PointM along = longest.to - longest.from;
+  const PointM right = (swath_m / 2 / norm(along)) * PointM{along.y, -along.x};
+  const PointM start = middle_of(part.outer) + right;
+  return {start, start + along, 0};
+}
+
+// Missed places by the edge that they lie at; far from any, or if `apart`, by an edge of their own,
+// which is added.
+std::vector<Stretch> stretches_of(const LandParts& missed, std::vector<Edge>& edges,
+                                  std::size_t land_edges, double swath_m, bool apart) {
+  const double gap_m = widest_gap * swath_m;
+  std::map<std::size_t, std::vector<Stretch>> by_edge;
+  for (const LandPart& part : missed) {
+    const PointM middle = middle_of(part.outer);
+    std::size_t e = nearest_edge(edges, land_edges, middle);
+    if (apart || distance_m(middle, edges[e]) > swath_m) {
+      e = edges.size();
+      edges.push_back(own_edge(part, swath_m));
+    }
+    const RowFrame frame = RowFrame::along(edges[e].to - edges[e].from);
+    Stretch stretch{e, INFINITY, -INFINITY, area_m2(part)};
+    for (const PointM p : part.outer) {
+      stretch.low_m = std::min(stretch.low_m, frame.to(p).x);
+      stretch.high_m = std::max(stretch.high_m, frame.to(p).x);
+    }
+    by_edge[e].push_back(stretch);
+  }
+  std::vector<Stretch> joined;
+  for (auto& [edge, list] : by_edge) {
+    std::sort(list.begin(), list.end(),
+              [](const Stretch& a, const Stretch& b) { return a.low_m < b.low_m; });
+    bool first = true;
+    for (const Stretch& next : list) {
+      if (!first && next.low_m <= joined.back().high_m + gap_m) {
+        joined.back().high_m = std::max(joined.back().high_m, next.high_m);
+        joined.back().missed_m2 += next.missed_m2;
+      } else {
+        joined.push_back(next);
+      }
+      first = false;
+    }
+  }
+  return joined;
+}
+
+struct Interval {
+  double low_m, high_m;
+};
+
+// The strips beside the edge that cover the stretch, as far as flight is allowed there: half a
+// swath inside, or nearer to the edge where the land is too narrow for that.
+std::vector<GroundStrip> strips_beside(const LandPart& flight, const Edge& edge,
+                                       const Stretch& stretch, double swath_m, double least_m) {
+  const RowFrame frame = RowFrame::along(edge.to - edge.from);
+  const double edge_v = frame.to(edge.from).y;
+  std::vector<GroundStrip> strips;
+  std::vector<Interval> open{{stretch.low_m, stretch.high_m}};
+  for (const double inside : {0.5, 0.25, 0.1, 0.01}) {
+    const Row row{edge_v + inside * swath_m - edge.bulge_m, swath_m / 2};
+    std::vector<Interval> left;
+    const auto chords = chords_at(flight, {}, frame, row, EdgeMode::cover_all);
+    for (Interval gap : open) {
+      for (const Chord& chord : chords) {
+        const double low = std::max(chord.low_m, gap.low_m);
+        const double high = std::min(chord.high_m, gap.high_m);
+        if (high - low < std::max(least_m, shortest * swath_m)) continue;
+        strips.push_back({frame.from({low, row.v_m}), frame.from({high, row.v_m}), swath_m / 2});
+        if (low > gap.low_m) left.push_back({gap.low_m, low});
+        gap.low_m = high;
+      }
+      if (gap.low_m < gap.high_m) left.push_back(gap);
+    }
+    open = std::move(left);
+  }
+  return strips;
+}
+
+LandParts missed_by(const std::vector<GroundStrip>& strips, const LandParts& land) {
+  std::vector<SprayedRun> runs;
+  for (const GroundStrip& s : strips) runs.push_back({{s.a, s.b}, 2 * s.half_width_m});
+  return missed_land(runs, land);
+}
+
+// A strip beside an edge; edges are numbered along their ring.
+struct EdgeStrip {
+  std::size_t edge;
+  GroundStrip strip;
+};
+
+// Strips that follow each other along the edge, end to end, become one chain.
+std::vector<StripGroup> chains_of(std::vector<EdgeStrip> strips, double swath_m) {
+  std::stable_sort(strips.begin(), strips.end(),
+                   [](const EdgeStrip& a, const EdgeStrip& b) { return a.edge < b.edge; });
+  std::vector<StripGroup> groups;
+  for (const EdgeStrip& next : strips) {
+    if (groups.empty() || norm(groups.back().strips.back().b - next.strip.a) > swath_m) {
+      groups.push_back({{}, Flown::in_a_chain});
+    }
+    groups.back().strips.push_back(next.strip);
+  }
+  return groups;
+}
+
+}  // namespace
+
+std::vector<StripGroup> edge_strips(const LandPart& flight, const LandParts& land,
+                                    const std::vector<SprayedRun>& sprayed, double swath_m,
+                                    double tolerance, double least_m) {
+  std::vector<Edge> edges = edges_of(land, bend * swath_m);
+  const std::size_t land_edges = edges.size();
+  const double allowed_m2 = tolerance * area_m2(land);
+  std::vector<EdgeStrip> added;
+  LandParts missed = missed_land(sprayed, land);
+  for (int round = 0; round < most_rounds; ++round) {
+    double left_m2 = area_m2(missed);
+    if (left_m2 <= allowed_m2) break;
+    std::vector<Stretch> stretches =
+        stretches_of(missed, edges, land_edges, swath_m, round >= first_apart);
+    std::stable_sort(stretches.begin(), stretches.end(),
+                     [](const Stretch& a, const Stretch& b) { return a.missed_m2 > b.missed_m2; });
+    std::vector<GroundStrip> more;
+    for (const Stretch& stretch : stretches) {
+      if (left_m2 <= allowed_m2) break;
+      for (const GroundStrip& strip :
+           strips_beside(flight, edges[stretch.edge], stretch, swath_m, least_m)) {
+        added.push_back({stretch.edge, strip});
+        more.push_back(strip);
+      }
+      left_m2 -= stretch.missed_m2;
+    }
+    if (more.empty() && round >= first_apart) break;
+    if (more.empty()) continue;
+    missed = missed_by(more, missed);
+  }
+  return chains_of(std::move(added), swath_m);
+}
+
+}  // namespace furrow::planner

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "core/field.hpp"
+
+#include <optional>
+
+namespace furrow::planner {
+
+/// What a row may do at the edge of the land.
+enum class EdgeMode {
+  cover_all,    ///< Rows run to the edge and ragged edges get a row of their own; overspray is
+                ///< stated.
+  stay_inside,  ///< Nothing outside the land is sprayed; what is missed is stated.
+};
+
+/// What happens to the last row, where the land is no multiple of the swath.
+enum class LastRow {
+  shifted,   ///< Full width against the edge, overlapping the row before.
+  narrowed,  ///< Only the remaining width is sprayed.
+};
+
+enum class HeadlandTurn { clockwise, counter_clockwise };
+
+/// How `swath_coverage` covers a field.
+struct SwathSettings {
+  Length margin{};       ///< Least distance of flight from every edge, >= 0.
+  Length hole_buffer{};  ///< Further distance from holes and obstacles, >= 0.
+  EdgeMode edges = EdgeMode::cover_all;
+  LastRow last_row = LastRow::shifted;
+  /// Heading of the rows, clockwise from north, as along an AB line; searched when left out.
+  std::optional<double> direction_deg{};
+  bool cells_may_differ = true;  ///< Without a direction: whether cells choose their own.
+  Length min_strip{};            ///< Shorter strips are dropped, >= 0.
+  int headland_passes = 0;       ///< Rounds along the edges before the rows, >= 0.
+  HeadlandTurn headland_turn = HeadlandTurn::counter_clockwise;
+  Length turn_cost = metres(5);      ///< What a turn counts in the search, as metres flown, >= 0.
+  std::optional<FieldPoint> near{};  ///< Start or supply: the route begins on the side near it.
+  double miss_tolerance = 5e-4;      ///< Share of the land that rows of `cover_all` may leave out.
+};
+
+}  // namespace furrow::planner

@@ -1,0 +1,222 @@
+#include "planner/coverage/swath/swath.hpp"
+
+#include "planner/coverage/geos.hpp"
+#include "planner/coverage/swath/headland.hpp"
+#include "planner/coverage/swath/inset.hpp"
+#include "planner/coverage/swath/joints.hpp"
+#include "planner/coverage/swath/part_plan.hpp"
+#include "planner/coverage/swath/ragged_edges.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <numbers>
+
+namespace furrow::planner {
+namespace {
+
+constexpr double most_rows = 200'000;
+
+RowFrame frame_of_heading(double heading_deg) {
+  const double angle = heading_deg * std::numbers::pi / 180;
+  const auto snapped = [](double v) { return std::abs(v) < 1e-15 ? 0.0 : v; };
+  return {snapped(std::sin(angle)), snapped(std::cos(angle))};
+}
+
+double heading_of(RowFrame frame) {
+  const double degrees = std::atan2(frame.cosine, frame.sine) * 180 / std::numbers::pi;
+  const double half_turn = std::fmod(degrees + 360, 180);
+  return half_turn;
+}
+
+// Strips that follow each other without a gap are sprayed in one run.
+std::vector<SprayedRun> runs_of(const std::vector<OrderedStrip>& strips) {
+  std::vector<SprayedRun> runs;
+  for (std::size_t i = 0; i < strips.size(); ++i) {
+    const GroundStrip& s = strips[i].strip;
+    const bool continues = i > 0 && norm(s.a - strips[i - 1].strip.b) <= 1e-9 &&
+                           s.half_width_m == strips[i - 1].strip.half_width_m;
+    if (continues) {
+      runs.back().path.push_back(s.b);
+    } else {
+      runs.push_back({{s.a, s.b}, 2 * s.half_width_m});
+    }
+  }
+  return runs;
+}
+
+PartPlan plan_rows(const LandPart& flight, const FieldLand& field, const InsidePaths& paths,
+                   std::optional<RowFrame> direction, const PlanRule& rule) {
+  const SwathSettings& s = rule.settings;
+  Headland head{{}, {flight}};
+  if (s.headland_passes > 0) {
+    head = headland(flight, rule.swath_m, rule.margin_m, s.headland_passes, s.headland_turn);
+  }
+  PartPlan plan{.groups = head.rounds, .order = {}};
+  for (const LandPart& inner : head.inner) {
+    plan = direction
+               ? plan_one_direction(inner, flight, field.land, paths, *direction, rule, plan.groups)
+               : plan_best(inner, flight, field.land, paths, rule, plan.groups);
+  }
+  if (head.inner.empty()) plan.order = strip_order(plan.groups, paths, rule.start);
+  return plan;
+}
+
+// The plan of one part: rows, then strips along edges that the rows leave ragged.
+PartPlan plan_part(const LandPart& flight, const FieldLand& field,
+                   std::optional<RowFrame> direction, const PlanRule& rule) {
+  const InsidePaths paths{flight};
+  PartPlan plan = plan_rows(flight, field, paths, direction, rule);
+  const SwathSettings& s = rule.settings;
+  if (s.edges == EdgeMode::cover_all && !plan.groups.empty()) {
+    const LandParts here = field.flight.size() == 1 ? field.land : LandParts{flight};
+    const auto more = edge_strips(flight, here, runs_of(plan.order.strips), rule.swath_m,
+                                  s.miss_tolerance, s.min_strip.base());
+    plan.groups.insert(plan.groups.end(), more.begin(), more.end());
+    if (!more.empty()) plan.order = strip_order(plan.groups, paths, rule.start);
+  }
+  // A turn with the valve open reaches beyond the bands that were checked to lie inside.
+  if (s.edges == EdgeMode::cover_all) join_corners(plan.order, paths.edges());
+  return plan;
+}
+
+struct Laid {
+  std::vector<OrderedStrip> strips;
+  double route_m = 0, bound_m = 0, dropped_m2 = 0;
+  RowFrame direction{1, 0};
+  bool exact = true;
+};
+
+void lay(Laid& laid, PartPlan&& plan) {
+  for (OrderedStrip& strip : plan.order.strips) laid.strips.push_back(std::move(strip));
+  laid.route_m += plan.order.route_m;
+  laid.bound_m += plan.order.bound_m;
+  laid.dropped_m2 += plan.dropped_m2;
+  laid.exact = laid.exact && (plan.order.exact || plan.order.strips.empty());
+}
+
+FieldPoint field_point(PointM p, PointM origin) { return at_m(p.x + origin.x, p.y + origin.y); }
+PointM plane_point(FieldPoint p, PointM origin) { return PointM{p.x.base(), p.y.base()} - origin; }
+
+SwathCoverage coverage_of(const Laid& laid, const FieldLand& field) {
+  SwathCoverage made{.strips = {},
+                     .direction_deg = heading_of(laid.direction),
+                     .parts = field.flight.size(),
+                     .areas = sprayed_areas(runs_of(laid.strips), field.land),
+                     .dropped = square_metres(laid.dropped_m2),
+                     .sprayed = {},
+                     .route = metres(laid.route_m),
+                     .order_bound = metres(laid.bound_m),
+                     .order_exact = laid.exact};
+  for (const OrderedStrip& strip : laid.strips) {
+    SwathStrip out{field_point(strip.strip.a, field.origin),
+                   field_point(strip.strip.b, field.origin),
+                   metres(2 * strip.strip.half_width_m),
+                   {}};
+    for (const PointM p : strip.approach) out.approach.push_back(field_point(p, field.origin));
+    made.sprayed += metres(norm(strip.strip.b - strip.strip.a));
+    made.strips.push_back(std::move(out));
+  }
+  return made;
+}
+
+std::optional<PlanError> too_many_rows(const LandParts& land, double swath_m) {
+  double reach_m = 0;
+  for (const LandPart& part : land) {
+    for (const PointM p : part.outer) reach_m = std::max(reach_m, norm(p));
+  }
+  if (2 * reach_m / swath_m <= most_rows) return std::nullopt;
+  return PlanError{PlanFault::nothing_to_spray,
+                   fmt::format("a field of {:.0f} m has more than {:.0f} rows of {} m", 2 * reach_m,
+                               most_rows, swath_m)};
+}
+
+// The part nearest to `place`, taken out of `left`.
+std::size_t take_nearest(std::vector<std::size_t>& left, const LandParts& parts, PointM place) {
+  const auto away_m = [&](std::size_t part) {
+    double best = INFINITY;
+    for (const PointM p : parts[part].outer) best = std::min(best, norm(p - place));
+    return best;
+  };
+  const auto nearest =
+      std::min_element(left.begin(), left.end(),
+                       [&](std::size_t a, std::size_t b) { return away_m(a) < away_m(b); });
+  const std::size_t found = *nearest;
+  left.erase(nearest);
+  return found;
+}
+
+Laid lay_parts(const FieldLand& field, std::optional<RowFrame> direction, PlanRule rule) {
+  Laid laid;
+  std::vector<std::size_t> left;
+  for (std::size_t i = 0; i < field.flight.size(); ++i) left.push_back(i);
+  double largest_m2 = 0;
+  while (!left.empty()) {
+    const std::size_t next =
+        rule.start ? take_nearest(left, field.flight, *rule.start) : left.front();
+    if (!rule.start) left.erase(left.begin());
+    PartPlan plan = plan_part(field.flight[next], field, direction, rule);
+    if (area_m2(field.flight[next]) > largest_m2) {
+      largest_m2 = area_m2(field.flight[next]);
+      laid.direction = plan.direction;
+    }
+    lay(laid, std::move(plan));
+    if (!laid.strips.empty()) rule.start = laid.strips.back().strip.b;
+  }
+  return laid;
+}
+
+}  // namespace
+
+Expected<SwathCoverage, PlanError> swath_coverage(const Field& field, Length swath,
+                                                  const SwathSettings& settings) {
+  require(swath > Length{}, "a swath is wider than 0");
+  require(settings.min_strip >= Length{} && settings.headland_passes >= 0 &&
+              settings.turn_cost >= Length{},
+          "least strips, headland passes and turn costs are at least 0");
+  const auto land = field_land(field, settings.margin, settings.hole_buffer);
+  if (!land) return Unexpected{land.error()};
+  if (auto error = too_many_rows(land->land, swath.base())) return Unexpected{*error};
+
+  PlanRule rule{swath.base(), settings.margin.base(), settings, std::nullopt};
+  if (settings.near) rule.start = plane_point(*settings.near, land->origin);
+  std::optional<RowFrame> direction;
+  if (settings.direction_deg) {
+    direction = frame_of_heading(*settings.direction_deg);
+  } else if (!settings.cells_may_differ) {
+    direction = ranked_directions(land->flight, rule, 1).front();
+  }
+  const Laid laid = lay_parts(*land, direction, rule);
+  if (laid.strips.empty()) {
+    return Unexpected{PlanError{PlanFault::nothing_to_spray,
+                                fmt::format("no strip of {} m swath and at least {} m fits",
+                                            swath.base(), settings.min_strip.base())}};
+  }
+  return coverage_of(laid, *land);
+}
+
+Expected<FlownCoverage, PlanError> flown_coverage(
+    const Field& field, Length swath, const std::vector<std::vector<FlownPlace>>& tracks) {
+  const auto land = field_land(field, Length{}, Length{});
+  if (!land) return Unexpected{land.error()};
+  std::vector<SprayedRun> runs;
+  std::vector<PathM> paths;
+  for (const std::vector<FlownPlace>& track : tracks) {
+    PathM path;
+    bool open = false;
+    for (const FlownPlace& place : track) {
+      const PointM here = plane_point(place.at, land->origin);
+      if (place.spraying && !path.empty()) {
+        if (!open) runs.push_back({{path.back()}, swath.base()});
+        runs.back().path.push_back(here);
+      }
+      open = place.spraying && !path.empty();
+      path.push_back(here);
+    }
+    paths.push_back(std::move(path));
+  }
+  return FlownCoverage{sprayed_areas(runs, land->land),
+                       metres(length_outside_m(paths, offset(land->land, EdgeGrid::touch_m * 10)))};
+}
+
+}  // namespace furrow::planner

@@ -1,0 +1,57 @@
+#include "planner/coverage/swath/inside_paths.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+using namespace furrow::planner;
+
+namespace {
+
+// A square of 10 m with a square hole of 2 m in its middle.
+const LandPart holed{{{0, 0}, {10, 0}, {10, 10}, {0, 10}}, {{{4, 4}, {4, 6}, {6, 6}, {6, 4}}}};
+
+double shortest_m(const LandPart& part, PointM a, PointM b) {
+  const auto path = InsidePaths{part}.shortest(a, b);
+  REQUIRE(path);
+  return length_m(*path);
+}
+
+}  // namespace
+
+TEST_CASE("nothing between two places leaves the straight way") {
+  CHECK(shortest_m(holed, {1, 1}, {9, 1}) == Approx(8));
+}
+
+TEST_CASE("a way bends around the corners of a hole") {
+  // From (1, 5) to (9, 5) over (4, 6) and (6, 6): 2 x sqrt(9 + 1) + 2.
+  CHECK(shortest_m(holed, {1, 5}, {9, 5}) == Approx(2 * std::sqrt(10) + 2));
+}
+
+TEST_CASE("a way may run along edges and through corners") {
+  CHECK(shortest_m(holed, {4, 4}, {4, 6}) == Approx(2));
+  CHECK(shortest_m(holed, {0, 0}, {0, 10}) == Approx(10));
+  CHECK(shortest_m(holed, {2, 6}, {8, 6}) == Approx(6));
+}
+
+TEST_CASE("a way between the teeth of a comb goes round each tooth gap") {
+  const LandPart comb{{{0, 0},
+                       {50, 0},
+                       {50, 30},
+                       {40, 30},
+                       {40, 10},
+                       {30, 10},
+                       {30, 30},
+                       {20, 30},
+                       {20, 10},
+                       {10, 10},
+                       {10, 30},
+                       {0, 30}},
+                      {}};
+  // Straight down 20 m, 30 m along the floors of two gaps, and up 20 m.
+  CHECK(shortest_m(comb, {10, 30}, {40, 30}) == Approx(20 + 30 + 20));
+}
+
+TEST_CASE("places off the land have no way") {
+  CHECK(!InsidePaths{holed}.shortest({5, 5}, {1, 1}));
+  CHECK(!InsidePaths{holed}.shortest({1, 1}, {11, 1}));
+}

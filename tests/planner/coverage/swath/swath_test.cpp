@@ -1,0 +1,46 @@
+#include "planner/coverage/swath/swath.hpp"
+
+#include "tests/planner/coverage/swath/swath_test_support.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+using namespace furrow;
+using namespace furrow::planner;
+
+namespace {
+
+const Field slanted{
+    .boundary = {at_m(0, 0), at_m(700, 0), at_m(700, 100), at_m(40, 100), at_m(0, 60)},
+    .holes = {},
+    .obstacles = {}};
+const Field corner{.boundary = {at_m(0, 0), at_m(300, 0), at_m(300, 80), at_m(80, 80),
+                                at_m(80, 300), at_m(0, 300)},
+                   .holes = {},
+                   .obstacles = {}};
+
+}  // namespace
+
+TEST_CASE("a slanted corner shortens the rows that meet it") {
+  const auto c = swath_coverage(slanted, metres(2), {.direction_deg = 90});
+  REQUIRE(c);
+  CHECK(c->strips.size() == 50);
+  // 30 rows of 700 m below the slant; above it rows start at x = y - 60 for y = 61, 63 .. 99:
+  // 20 x 700 - (1 + 3 + .. + 39) = 13 600. Together 34 600.
+  CHECK(c->sprayed.base() == Approx(34'600).margin(1e-6));
+  // Of 49 turns the 25 on the right side take 2 m; on the left 14 take 2 m, the one over the
+  // slant's foot sqrt(1 + 4), and 9 along the slant sqrt(8): 105.69 m.
+  CHECK(c->route.base() == Approx(34'600 + 78 + std::sqrt(5) + 9 * std::sqrt(8)).margin(1e-6));
+  CHECK(outside_m(slanted, metres(2), *c) == 0);
+  CHECK(covered_share(*c) >= 0.999);
+}
+
+TEST_CASE("an L is cut into two cells, each flown along its length") {
+  const auto c = swath_coverage(corner, metres(2), {});
+  REQUIRE(c);
+  // 41 600 m2 at 2 m; two cells of 40 rows, so 2 x 39 turns of 2 m, joined at the corner.
+  CHECK(c->sprayed.base() == Approx(20'800).margin(1e-6));
+  CHECK(c->route.base() <= 20'957);
+  CHECK(outside_m(corner, metres(2), *c) == 0);
+  CHECK(covered_share(*c) >= 0.999);
+}
