@@ -29,6 +29,20 @@ std::string set_pace(Pace& pace, const std::string& text) {
   return {};
 }
 
+// "7" or "3-4", numbers from 1.
+std::optional<AgentRange> agent_range(const std::string& text) {
+  const char* const end = text.data() + text.size();
+  AgentRange range{};
+  auto read = std::from_chars(text.data(), end, range.first);
+  range.last = range.first;
+  if (read.ec == std::errc{} && read.ptr != end && *read.ptr == '-') {
+    read = std::from_chars(read.ptr + 1, end, range.last);
+  }
+  const bool is_range = read.ec == std::errc{} && read.ptr == end;
+  if (!is_range || range.first == 0 || range.first > range.last) return std::nullopt;
+  return range;
+}
+
 // The library takes "-1" for a large number and "+5" or "0x5" for a small one.
 const CLI::Validator digits{[](const std::string& text) -> std::string {
                               const bool is_whole =
@@ -73,6 +87,11 @@ int furrow(int argc, char** argv) {
 
   CLI::App* run_command =
       app.add_subcommand("run", "Fly as one process per scheduler, station and agent, over DDS");
+  for (CLI::App* command : {sim_command, run_command}) {
+    command->footer(
+        "Ctrl-C keeps the results so far, marked partial (code 1); during planning it waits for "
+        "the plan, and a second one ends at once with code 130 and nothing written.");
+  }
   add_scenario(*run_command, options);
   add_results(*run_command, options);
   std::string speed = "max";
@@ -85,6 +104,16 @@ int furrow(int argc, char** argv) {
       ->check(CLI::Range(1, 50));
   run_command->add_option("--interface", options.interface,
                           "Address of the network interface to use");
+
+  std::string remote;
+  run_command
+      ->add_option("--remote-agents", remote,
+                   "Aircraft of another host, 7 or 3-4: prints the commands to start there")
+      ->check(something);
+  run_command
+      ->add_option("--start-in", options.start_in_s, "Seconds until a mission in real time begins")
+      ->check(digits)
+      ->check(CLI::Range(1, 3600));
 
   CLI::App* export_command =
       app.add_subcommand("export", "Write a mission's sorties for other tools, in WGS84");
@@ -102,6 +131,17 @@ int furrow(int argc, char** argv) {
   if (const std::string error = set_pace(options.pace, speed); !error.empty()) {
     std::fprintf(stderr, "furrow: %s\n", error.c_str());
     return Exit::bad_input;
+  }
+
+  if (!remote.empty()) {
+    options.remote_agents = agent_range(remote);
+    if (!options.remote_agents || options.pace.kind != Pace::Kind::wall) {
+      std::fprintf(stderr,
+                   "furrow: --remote-agents: must be a number or a range like 3-4, with --speed "
+                   "wall (got %s)\n",
+                   remote.c_str());
+      return Exit::bad_input;
+    }
   }
 
   if (check_command->parsed()) return check(options);

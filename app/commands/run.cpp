@@ -12,9 +12,6 @@
 namespace furrow::app {
 namespace {
 
-// Time for every process to start before a mission on the wall clock begins.
-constexpr std::chrono::seconds wall_start{5};
-
 std::int64_t realtime_ns(std::chrono::system_clock::time_point t) {
   return std::chrono::nanoseconds{t.time_since_epoch()}.count();
 }
@@ -54,11 +51,15 @@ int run(const Options& options) {
                                          .mission_limit = Instant{scenario.mission_limit}};
     if (options.pace.kind == Pace::Kind::times_real) settings.pace = options.pace.factor;
     if (options.pace.kind == Pace::Kind::wall) {
-      settings.epoch_realtime_ns = realtime_ns(std::chrono::system_clock::now() + wall_start);
+      settings.epoch_realtime_ns =
+          realtime_ns(std::chrono::system_clock::now() + std::chrono::seconds{options.start_in_s});
     }
 
     auto processes = FleetProcesses::start(options, scenario, settings);
     if (!processes) return Unexpected{processes.error()};
+    for (const std::string& command : processes->commands_elsewhere()) {
+      fmt::print(stderr, "Start on the other host: {}\n", command);
+    }
     settings.members = processes->members();
     settings.observer = [&](const Envelope& envelope) { progress.observe(envelope); };
     settings.interrupted = [&] { return is_interrupted() || processes->is_crippled(); };

@@ -4,6 +4,7 @@
 import json
 import os
 import pathlib
+import shutil
 import signal
 import subprocess
 import sys
@@ -65,6 +66,11 @@ class Furrow(unittest.TestCase):
         path = self.folder / "garden.yaml"
         path.write_text(text)
         return path
+
+    def slow_to_plan(self):
+        """A search that only its budget of 3 s ends."""
+        return self.scenario(GARDEN.read_text() +
+                             "solver: {returns: gsa, iterations: 1000000, agents: 1000, budget_s: 3}\n")
 
     def out(self, name):
         return self.folder / name
@@ -262,6 +268,54 @@ class Paces(Furrow):
         self.assertEqual(result["coverage"]["missed_m2"], 0)
 
 
+class Hosts(Furrow):
+    NAMES = [f"furrow-test-{os.getpid()}-{i}" for i in (1, 2)]
+    ADDRESSES = ["10.213.77.1", "10.213.77.2"]
+
+    def setUp(self):
+        """Two hosts with nothing but a cable between them."""
+        super().setUp()
+        if not shutil.which("ip"):
+            self.skipTest("needs iproute2")
+        ip = lambda *words: subprocess.run(["ip", *words], capture_output=True, text=True)
+        for name in self.NAMES:
+            self.addCleanup(ip, "netns", "delete", name)
+            made = ip("netns", "add", name)
+            if made.returncode != 0:
+                self.skipTest("needs leave to make network namespaces: " + made.stderr.strip())
+        ends = [f"fr{os.getpid() % 100_000}{end}" for end in "ab"]
+        made = ip("link", "add", ends[0], "netns", self.NAMES[0], "type", "veth",
+                  "peer", "name", ends[1], "netns", self.NAMES[1])
+        if made.returncode != 0:
+            self.skipTest("needs virtual cables: " + made.stderr.strip())
+        for name, address, end in zip(self.NAMES, self.ADDRESSES, ends):
+            ip("-n", name, "link", "set", "lo", "up")
+            ip("-n", name, "address", "add", f"{address}/24", "dev", end)
+            ip("-n", name, "link", "set", end, "up")
+
+    def test_agents_of_another_host_fly_with_the_rest(self):
+        short = self.scenario(GARDEN.read_text().replace("[60, 80], [0, 80]", "[60, 4], [0, 4]"))
+        director = subprocess.Popen(
+            ["ip", "netns", "exec", self.NAMES[0], BIN / "furrow", "run", short, "--speed", "wall",
+             "--interface", self.ADDRESSES[0], "--remote-agents", "2", "--start-in", "8",
+             "--out", self.out("hosts")], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        self.addCleanup(director.stderr.close)
+        self.addCleanup(director.kill)
+        command = director.stderr.readline()
+        self.assertTrue(command.startswith("Start on the other host: furrow-agents "), command)
+        words = command.split()[5:]
+        agents = subprocess.Popen(["ip", "netns", "exec", self.NAMES[1], BIN / words[0],
+                                   *(self.ADDRESSES[1] if word == "ADDRESS" else word
+                                     for word in words[1:])])
+        self.addCleanup(agents.kill)
+        code, errors = self.ended(director)
+        self.assertEqual(code, 0, errors)
+        self.assertEqual(agents.wait(20), 0)
+        result = json.loads((self.out("hosts") / "result.json").read_text())
+        self.assertEqual(result["coverage"]["missed_m2"], 0)
+        self.assertTrue(all(uav["spray_s"] > 0 for uav in result["uavs"]))
+
+
 class Input(Furrow):
     def test_every_scenario_of_the_repository_is_sound(self):
         for path in sorted((ROOT / "scenarios").glob("*.yaml")):
@@ -298,6 +352,11 @@ class Input(Furrow):
                           ("run", self.garden, "--speed", ""),
                           ("run", self.garden, "--agents-per-process", 0),
                           ("run", self.garden, "--agents-per-process", "+2"),
+                          ("run", self.garden, "--remote-agents", "2"),
+                          ("run", self.garden, "--speed", "wall", "--remote-agents", "2-1"),
+                          ("run", self.garden, "--speed", "wall", "--remote-agents", "2-3"),
+                          ("run", self.garden, "--speed", "wall", "--remote-agents", "-2"),
+                          ("run", self.garden, "--speed", "wall", "--start-in", 0),
                           ("run", self.garden, "--interface", ""),
                           ("run", self.garden, "--interface", "localhost"),
                           ("sim", self.garden, "--out", ""),
