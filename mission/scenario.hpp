@@ -39,8 +39,8 @@ struct Scenario {
   std::optional<FieldPoint> start;           ///< Chosen when left out.
   std::optional<exchange::Datum> datum;      ///< Where on the globe the frame's origin lies.
   planner::CoverageModel coverage;           ///< Direction and start are the lines above.
-  std::vector<Station> stations;  ///< At least one, ids rising.
-  std::vector<Vehicle> uavs;      ///< At least one, ids 1, 2, ... in file order.
+  std::vector<Station> stations;             ///< At least one, ids rising.
+  std::vector<Vehicle> uavs;                 ///< At least one, ids 1, 2, ... in file order.
   Wind wind;
   planner::SolveSettings solver;  ///< Its seed is the scenario's.
   Link link;

@@ -20,17 +20,16 @@ constexpr std::uint64_t most_id = 1'000'000;
 
 // Keys that concern one coverage model only.
 constexpr std::array grid_keys{"straight_reward", "turn_reward", "min_region_cells"};
-constexpr std::array swath_keys{"hole_buffer_m", "edges",        "last_row",
+constexpr std::array swath_keys{"hole_buffer_m",    "edges",       "last_row",
                                 "cells_may_differ", "min_strip_m", "headland_passes",
-                                "headland_turn", "turn_cost_m"};
+                                "headland_turn",    "turn_cost_m"};
 
 planner::CoverageSettings read_grid(const Section& s, Length margin) {
   planner::CoverageSettings grid;
   grid.margin = margin;
   grid.straight_reward = s.number("straight_reward", above_to(1, 1e6), 2);
   grid.turn_reward = s.number("turn_reward", above_to(1, 1e6), 3);
-  grid.min_region_cells =
-      static_cast<std::uint32_t>(s.whole("min_region_cells", 1, 1'000'000, 10));
+  grid.min_region_cells = static_cast<std::uint32_t>(s.whole("min_region_cells", 1, 1'000'000, 10));
   if (grid.turn_reward <= grid.straight_reward) {
     const auto rule = fmt::format("must exceed straight_reward, {:.10g}", grid.straight_reward);
     s.fail(s.has("turn_reward") ? "turn_reward" : "straight_reward",
@@ -51,8 +50,8 @@ planner::SwathSettings read_swath(const Section& s, Length margin) {
   swath.cells_may_differ = s.flag("cells_may_differ", true);
   swath.min_strip = metres(s.number("min_strip_m", from_to(0, 10'000), 0));
   swath.headland_passes = static_cast<int>(s.whole("headland_passes", 0, 100, 0));
-  swath.headland_turn = static_cast<HeadlandTurn>(
-      s.choice("headland_turn", {"clockwise", "counter_clockwise"}, 1));
+  swath.headland_turn =
+      static_cast<HeadlandTurn>(s.choice("headland_turn", {"clockwise", "counter_clockwise"}, 1));
   swath.turn_cost = metres(s.number("turn_cost_m", from_to(0, 1000), 5));
   return swath;
 }
@@ -85,7 +84,7 @@ void read_land(const Section& s, const std::string& file, std::size_t feature, S
   for (const char* key : {"boundary_m", "holes_m", "datum"}) s.refuse(key, rule);
   auto land = exchange::read_land(beside(s, file), feature);
   if (!land) {
-    s.fail("file", land.error().rule, land.error().value);
+    s.fail("file", land.error().rule, fmt::format("{} in {}", land.error().value, file));
     return;
   }
   out.field = std::move(land->field);
@@ -102,7 +101,9 @@ void read_outline(const Section& s, Scenario& out) {
   const Section datum = s.section("datum");
   const auto lat = datum.optional_number("lat_deg", from_to(-85, 85), "no place on the globe");
   const auto lon = datum.optional_number("lon_deg", from_to(-180, 180), "no place on the globe");
-  if (lat.has_value() != lon.has_value()) s.fail("datum", "must have both lat_deg and lon_deg");
+  if (datum.has("lat_deg") != datum.has("lon_deg")) {
+    s.fail("datum", "must have both lat_deg and lon_deg");
+  }
   if (lat && lon) out.datum = exchange::Datum{.lat_deg = *lat, .lon_deg = *lon};
   check_field(s, out.field);
 }
@@ -119,8 +120,8 @@ std::optional<double> read_direction(const Section& s) {
     s.fail("ab_line", "must have a_m and b_m, two places apart");
     return heading;
   }
-  const double along_deg = std::atan2((b->x - a->x).base(), (b->y - a->y).base()) * 180 /
-                           std::numbers::pi;
+  const double along_deg =
+      std::atan2((b->x - a->x).base(), (b->y - a->y).base()) * 180 / std::numbers::pi;
   return along_deg < 0 ? along_deg + 360 : along_deg;
 }
 

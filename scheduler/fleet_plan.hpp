@@ -33,11 +33,11 @@ struct UavPlan {
 /// Who flies what and when.
 struct FleetPlan {
   planner::Route route;
-  std::optional<planner::SweepFigures> sweep;  ///< Of the swath model.
-  double work_direction_deg;  ///< Clockwise from north, as given or as found.
-  std::vector<UavPlan> uavs;  ///< In order of id.
-  double makespan_s;          ///< Forecast mission time at which the last cell is sprayed.
-  double lower_bound_s;       ///< No plan of this route is done earlier at constant speeds.
+  std::optional<planner::SweepFigures> sweep{};  ///< Of the swath model.
+  double work_direction_deg;                     ///< Clockwise from north, as given or as found.
+  std::vector<UavPlan> uavs;                     ///< In order of id.
+  double makespan_s;     ///< Forecast mission time at which the last cell is sprayed.
+  double lower_bound_s;  ///< No plan of this route is done earlier at constant speeds.
 };
 
 }  // namespace furrow::scheduler

@@ -20,10 +20,10 @@ struct FleetProblem {
 /// Plans the mission: covers the field, cuts the route into shares that are predicted to be done at
 /// the same time, gives each aircraft a station and chooses the return points.
 ///
-/// Without a work direction, the swath model searches its own over the whole circle; of the grid, 0,
-/// 90, 180 and 270 degrees are drafted and the one with the smallest forecast makespan is planned.
-/// Without a start, the route begins near the first aircraft's home.
-/// The result depends on nothing but the problem.
+/// Without a work direction, the swath model searches its own over the whole circle; of the grid,
+/// 0, 90, 180 and 270 degrees are drafted and the one with the smallest forecast makespan is
+/// planned. Without a start, the route begins near the first aircraft's home. The result depends on
+/// nothing but the problem.
 ///
 /// @error  swaths_differ   The aircraft do not all spray the same width.
 /// @error  tank_too_small  A tank does not last for one cell.

@@ -27,16 +27,19 @@ int export_missions(const Options& options) {
   const fs::path source = fs::path{options.folder} / "missions.json";
   std::ifstream in{source};
   const std::string json{std::istreambuf_iterator<char>{in}, {}};
-  if (!in) return refused(fmt::format("{}: must be there: plan, sim or run writes it", source.string()));
+  if (!in)
+    return refused(fmt::format("{}: must be there: plan, sim or run writes it", source.string()));
   const auto missions = read_missions(json);
   if (!missions) return refused(fmt::format("{}: {}", source.string(), missions.error()));
   if (!missions->datum) {
-    return refused(fmt::format("{}: the field has no place on the globe: give field.file or "
-                               "field.datum in the scenario",
-                               source.string()));
+    return refused(
+        fmt::format("{}: the field has no place on the globe: give field.file or "
+                    "field.datum in the scenario",
+                    source.string()));
   }
 
-  const fs::path target = options.out.empty() ? fs::path{options.folder} / "export" : fs::path{options.out};
+  const fs::path target =
+      options.out.empty() ? fs::path{options.folder} / "export" : fs::path{options.out};
   std::error_code fault;
   fs::create_directories(target, fault);
   const exchange::LocalFrame frame{*missions->datum};

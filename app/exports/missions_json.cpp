@@ -49,9 +49,8 @@ nlohmann::ordered_json datum_json(const std::optional<exchange::Datum>& datum) {
 std::string missions_json(const Missions& missions) {
   Json sorties = Json::array();
   for (const exchange::SortieTrack& track : missions.sorties) sorties.push_back(to_json(track));
-  const Json all{{"version", 1},
-                 {"datum", datum_json(missions.datum)},
-                 {"sorties", std::move(sorties)}};
+  const Json all{
+      {"version", 1}, {"datum", datum_json(missions.datum)}, {"sorties", std::move(sorties)}};
   return all.dump(1) + "\n";
 }
 
@@ -61,7 +60,8 @@ Expected<Missions, std::string> read_missions(const std::string& json) {
     if (all.at("version") != 1) return Unexpected{std::string{"version must be 1"}};
     Missions missions{};
     if (const Json& datum = all.at("datum"); !datum.is_null()) {
-      missions.datum = exchange::Datum{.lat_deg = datum.at("lat_deg"), .lon_deg = datum.at("lon_deg")};
+      missions.datum =
+          exchange::Datum{.lat_deg = datum.at("lat_deg"), .lon_deg = datum.at("lon_deg")};
     }
     for (const Json& sortie : all.at("sorties")) missions.sorties.push_back(track(sortie));
     return missions;

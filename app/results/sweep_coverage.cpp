@@ -20,8 +20,8 @@ planner::SprayedAreas true_areas(const MissionRecord& record, const Flown* flown
   if (flown == nullptr) return record.plan.sweep->areas;
   std::vector<std::vector<planner::FlownPlace>> tracks;
   for (const FlownUav& uav : flown->uavs) tracks.push_back(places(uav.track));
-  const auto coverage = planner::flown_coverage(record.scenario.field,
-                                                record.scenario.uavs.front().swath, tracks);
+  const auto coverage =
+      planner::flown_coverage(record.scenario.field, record.scenario.uavs.front().swath, tracks);
   return coverage ? coverage->areas : planner::SprayedAreas{};  // the plan has judged the field
 }
 

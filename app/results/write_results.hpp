@@ -18,9 +18,9 @@ struct WriteError {
 /// One line: the path and the cause.
 std::string text(const WriteError& error);
 
-/// Writes result.json, plan.geojson, missions.json, events.jsonl, sorties.csv and report.html into `dir`, which is
-/// made where it is missing. Each file is written under a temporary name and then renamed, all of
-/// them only when all are written: a crash leaves no half file.
+/// Writes result.json, plan.geojson, missions.json, events.jsonl, sorties.csv and report.html into
+/// `dir`, which is made where it is missing. Each file is written under a temporary name and then
+/// renamed, all of them only when all are written: a crash leaves no half file.
 ///
 /// @param result  The summary of `record`.
 /// @return        The paths written.

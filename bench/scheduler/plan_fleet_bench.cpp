@@ -93,7 +93,8 @@ BENCHMARK(BM_plan_hundred_hectares)->Unit(benchmark::kMillisecond)->Iterations(1
 
 void BM_draft_hundred_hectares(benchmark::State& state) {
   const FleetProblem p = hundred_hectares();
-  const auto route = planner::coverage_route(p.field, metres(2), p.coverage);
+  const auto coverage = planner::cover(p.field, metres(2), p.coverage);
+  const planner::Route* route = &coverage->route;
   const RouteLengths lengths = route_lengths(*route, p.stations);
   for (auto _ : state) {
     const Draft drafted = draft(*route, lengths, p.vehicles, p.stations);

@@ -15,12 +15,12 @@ using CoverageModel = std::variant<CoverageSettings, SwathSettings>;
 
 /// What the sweep tells of itself.
 struct SweepFigures {
-  SprayedAreas areas;          ///< From the union of footprints of the strips as planned.
-  Area dropped;                ///< What strips below the least length would have sprayed.
-  Length sprayed, route;       ///< The strips; the strips and their connections.
-  Length order_bound;          ///< No order of the same groups of rows is shorter.
+  SprayedAreas areas;     ///< From the union of footprints of the strips as planned.
+  Area dropped;           ///< What strips below the least length would have sprayed.
+  Length sprayed, route;  ///< The strips; the strips and their connections.
+  Length order_bound;     ///< No order of the same groups of rows is shorter.
   bool order_exact;
-  std::uint32_t parts;         ///< Pieces into which margin and holes split the field.
+  std::uint32_t parts;  ///< Pieces into which margin and holes split the field.
 };
 
 struct Coverage {

@@ -34,10 +34,10 @@ std::uint32_t cell_count(const ReturnProblem& problem) {
 }  // namespace
 
 ReturnPlan evaluated(const ReturnProblem& problem, const Returns& returns) {
-  require(std::is_sorted(returns.begin(), returns.end(), std::less_equal<>{}) &&
-              (returns.empty() ||
-               (returns.front() > 0 && returns.back() + 1 < cell_count(problem))),
-          "returns rise strictly between the first cell and the last");
+  require(
+      std::is_sorted(returns.begin(), returns.end(), std::less_equal<>{}) &&
+          (returns.empty() || (returns.front() > 0 && returns.back() + 1 < cell_count(problem))),
+      "returns rise strictly between the first cell and the last");
   const Limits limits = limits_of(problem);
   ReturnPlan plan{
       .returns = returns, .sorties = {}, .non_spray_s = 0, .round_trips_m = 0, .swaps = 0};

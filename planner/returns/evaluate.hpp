@@ -14,7 +14,8 @@ namespace furrow::planner {
 /// Filling and swapping run side by side. The way out of the first sortie and the way home of the
 /// last count in the flight time and in the battery, not in the non-spray time.
 ///
-/// @param returns  Strictly rising, above the first cell and below the last. They need not be feasible: a sortie longer
+/// @param returns  Strictly rising, above the first cell and below the last. They need not be
+/// feasible: a sortie longer
 ///                 than a tank is filled for in proportion.
 ///
 /// Source: Wang et al. 2017, equations (7) and (9).

@@ -49,6 +49,8 @@ std::map<std::string, std::string> comments(const std::string& yaml) {
   std::string above;
   std::istringstream lines{yaml};
   for (std::string line; std::getline(lines, line);) {
+    // A key that excludes another of the template is commented out.
+    if (const auto mark = line.find("#~ "); mark != std::string::npos) line.erase(mark, 3);
     const bool is_item = line.find_first_not_of(' ') != std::string::npos &&
                          line.compare(line.find_first_not_of(' '), 2, "- ") == 0;
     if (is_item) line[line.find('-')] = ' ';
