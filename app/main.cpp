@@ -44,13 +44,14 @@ std::optional<AgentRange> agent_range(const std::string& text) {
 }
 
 // The library takes "-1" for a large number and "+5" or "0x5" for a small one.
-const CLI::Validator digits{[](const std::string& text) -> std::string {
-                              const bool is_whole =
-                                  !text.empty() &&
-                                  text.find_first_not_of("0123456789") == std::string::npos;
-                              return is_whole ? "" : "must be a whole number (got " + text + ")";
-                            },
-                            ""};
+const CLI::Validator digits{
+    [](const std::string& text) -> std::string {
+      std::uint64_t value = 0;
+      const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
+      const bool is_whole = read.ec == std::errc{} && read.ptr == text.data() + text.size();
+      return is_whole ? "" : "must be a whole number below 2^64 (got " + text + ")";
+    },
+    ""};
 const CLI::Validator something{
     [](const std::string& text) -> std::string { return text.empty() ? "must not be empty" : ""; },
     ""};
