@@ -1,5 +1,6 @@
 #include "app/conduct.hpp"
 
+#include "app/interrupt.hpp"
 #include "app/results/result_json.hpp"
 #include "app/results/summary.hpp"
 #include "app/results/write_results.hpp"
@@ -32,12 +33,21 @@ std::vector<sim::Violation> judged(const MissionRecord& record, const Flight& fl
 }
 
 // What keeps a mission from exit code 0, in sentences.
-std::vector<std::string> shortcomings(const Result& result) {
+std::vector<std::string> shortcomings(const Result& result, const std::vector<Envelope>& log) {
   std::vector<std::string> all;
   if (result.partial) all.push_back("the mission was broken off; the results are partial");
   if (!result.completed) {
     all.push_back(fmt::format("the mission is not completed: {:.0f} m2 are not sprayed",
                               result.coverage.missed_m2 - result.coverage.unrouted_m2));
+  }
+  for (const Envelope& envelope : log) {
+    const auto* const event = std::get_if<Event>(&envelope.body);
+    if (event == nullptr) continue;
+    if (event->kind == "agent_lost") {
+      all.push_back(
+          fmt::format("lost at {:.1f} s: {}", seconds(envelope.sent).base(), event->detail));
+    }
+    if (event->kind == "mission_limit") all.push_back(event->detail);
   }
   for (const auto& expectation : result.expectations) {
     if (!expectation.met) all.push_back("expectation missed: " + expectation.message);
@@ -62,7 +72,7 @@ int report(const Options& options, const MissionRecord& record) {
     fmt::print(stderr, "{}", summary_table(result));
     fmt::print(stderr, "Results: {}/report.html\n", folder);
   }
-  const auto lacking = shortcomings(result);
+  const auto lacking = shortcomings(result, record.log);
   for (const std::string& sentence : lacking) tell(sentence);
   return lacking.empty() ? Exit::done : Exit::not_met;
 }
@@ -96,7 +106,10 @@ int conduct(const Options& options, Mode mode, const Fly& fly) {
   if (!scenario) return scenario.error();
 
   const double started_s = wall_s();
-  auto plan = scheduler::plan_fleet(mission::fleet_problem(*scenario));
+  auto plan = [&] {
+    const SecondInterruptEnds nothing_is_lost;
+    return scheduler::plan_fleet(mission::fleet_problem(*scenario));
+  }();
   if (!plan) {
     tell(fmt::format("{}: no plan: {}: {}", options.scenario, planner::name(plan.error().fault),
                      plan.error().detail));
@@ -106,13 +119,13 @@ int conduct(const Options& options, Mode mode, const Fly& fly) {
   MissionRecord record{.scenario = std::move(*scenario),
                        .plan = std::move(*plan),
                        .mode = mode,
-                       .partial = false,
+                       .partial = is_interrupted(),
                        .log = {},
                        .violations = {},
                        .timing = {.plan_wall_s = planned_s - started_s,
                                   .run_wall_s = 0.0,
                                   .solver_wall_s = planned_s - started_s}};
-  if (fly) {
+  if (fly && !record.partial) {
     auto flight = [&] {
       Progress progress{record.plan, !options.quiet && isatty(STDERR_FILENO) == 1};
       return fly(record.scenario, record.plan, progress);
@@ -123,7 +136,7 @@ int conduct(const Options& options, Mode mode, const Fly& fly) {
     }
     for (const std::string& mishap : flight->mishaps) tell(mishap);
     record.timing.run_wall_s = wall_s() - planned_s;
-    record.partial = flight->interrupted;
+    record.partial = flight->broken_off;
     record.log = std::move(flight->log.envelopes);
     record.violations = judged(record, *flight);
   }

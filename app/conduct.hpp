@@ -31,11 +31,13 @@ class Progress {
 /// A mission flown.
 struct Flight {
   sim::Log log;
-  bool interrupted;
+  bool broken_off;                   ///< Before its end, by an interrupt or a failure.
   std::vector<std::string> mishaps;  ///< Sentences for the operator: processes that died, ...
 };
 
-/// Flies a plan. The error is a sentence about the environment; nothing has been flown then.
+/// Flies a plan. What fails on the way ends the flight as broken off, with a mishap that says why.
+///
+/// @error  A sentence about the environment; nothing has been flown then.
 using Fly = std::function<Expected<Flight, std::string>(const mission::Scenario&,
                                                         const scheduler::FleetPlan&, Progress&)>;
 
@@ -44,6 +46,9 @@ using Fly = std::function<Expected<Flight, std::string>(const mission::Scenario&
 /// @return  The scenario with the seed asked for, or the exit code.
 Expected<mission::Scenario, Exit> load(const Options& options);
 
+/// An interrupt while the plan is made lets it end first and is then obeyed: the results hold the
+/// plan and are partial. A second one ends the process there and then, with nothing written.
+///
 /// @param fly  Left out: plan only.
 /// @return  The exit code.
 int conduct(const Options& options, Mode mode, const Fly& fly = {});

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <iterator>
 
 namespace furrow::app {
 namespace {
@@ -11,6 +12,7 @@ struct Launch {
   std::string name;               // for people
   std::string program;            // of this build
   std::vector<std::string> role;  // command-line options of its own
+  bool is_remote = false;
 };
 
 // How many aircraft each process hosts: as asked, or as few as fit into 50 processes.
@@ -44,8 +46,13 @@ std::vector<Launch> launches(const Options& options, const mission::Scenario& sc
 
   participant = transport::first_agent_participant(network);
   const std::size_t each = agents_per_process(options, scenario.uavs.size());
-  for (std::size_t first = 0; first < scenario.uavs.size(); first += each) {
-    const std::size_t end = std::min(first + each, scenario.uavs.size());
+  const auto is_remote = [&](std::size_t i) {
+    const auto& remote = options.remote_agents;
+    return remote && i + 1 >= remote->first && i + 1 <= remote->last;
+  };
+  for (std::size_t first = 0, end = 0; first < scenario.uavs.size(); first = end) {
+    const std::size_t most = std::min(first + each, scenario.uavs.size());
+    for (end = first + 1; end < most && is_remote(end) == is_remote(first);) ++end;
     std::vector<NodeId> hosted;
     for (std::size_t i = first; i < end; ++i) hosted.push_back(node(scenario.uavs[i].id));
     const std::string range = fmt::format("{}-{}", first + 1, end);
@@ -53,6 +60,7 @@ std::vector<Launch> launches(const Options& options, const mission::Scenario& sc
     agents.name = "the process of agents " + range;
     agents.program = "furrow-agents";
     agents.role = {"--agents", range};
+    agents.is_remote = is_remote(first);
   }
   return all;
 }
@@ -81,17 +89,38 @@ std::vector<std::string> arguments(const Launch& launch, const Options& options,
   return argv;
 }
 
+// The same process, to be started by hand.
+std::string command_elsewhere(const Launch& launch, const Options& options,
+                              const mission::Scenario& scenario,
+                              const transport::DirectorSettings& director) {
+  std::vector<std::string> argv = arguments(launch, options, scenario, director);
+  argv.front() = launch.program;
+  *std::next(std::find(argv.begin(), argv.end(), "--interface")) = "ADDRESS";
+  argv.insert(argv.end(), {"--peer", director.network.interface});
+  return fmt::format("{}", fmt::join(argv, " "));
+}
+
 }  // namespace
 
 Expected<FleetProcesses, std::string> FleetProcesses::start(
     const Options& options, const mission::Scenario& scenario,
     const transport::DirectorSettings& director) {
   FleetProcesses fleet;
+  if (options.remote_agents && options.remote_agents->last > scenario.uavs.size()) {
+    return Unexpected{fmt::format("--remote-agents: the scenario has {} aircraft (got {}-{})",
+                                  scenario.uavs.size(), options.remote_agents->first,
+                                  options.remote_agents->last)};
+  }
   for (Launch& launch : launches(options, scenario, director.network)) {
     if (launch.plan.participant > transport::max_participant) {
       return Unexpected{fmt::format(
           "a run has at most {} processes: host more aircraft in each with --agents-per-process",
           transport::max_participant)};
+    }
+    if (launch.is_remote) {
+      fleet.commands_elsewhere_.push_back(command_elsewhere(launch, options, scenario, director));
+      fleet.members_.push_back({std::move(launch.plan), std::move(launch.name), std::nullopt});
+      continue;
     }
     auto process = transport::Process::spawn(arguments(launch, options, scenario, director));
     if (!process) return Unexpected{process.error().what};
@@ -109,7 +138,8 @@ std::vector<transport::MemberPlan> FleetProcesses::members() const {
 std::vector<std::uint32_t> FleetProcesses::dead() {
   std::vector<std::uint32_t> participants;
   for (Member& member : members_) {
-    const auto code = member.process.exit_code();
+    if (!member.process) continue;  // its silence tells
+    const auto code = member.process->exit_code();
     if (!code) continue;
     participants.push_back(member.plan.participant);
     if (*code == 0) continue;  // ended as it should

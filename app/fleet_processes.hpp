@@ -6,6 +6,7 @@
 #include "transport/director.hpp"
 #include "transport/process.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,12 +19,16 @@ class FleetProcesses {
   /// Starts them all, to meet in `director.network`.
   ///
   /// @error  A sentence: a program is missing, or there are more processes than one DDS domain
-  ///         holds.
+  ///         holds, or no such agents that would be remote.
   static Expected<FleetProcesses, std::string> start(const Options& options,
                                                      const mission::Scenario& scenario,
                                                      const transport::DirectorSettings& director);
 
   std::vector<transport::MemberPlan> members() const;
+
+  /// What starts the processes of remote agents, one shell command each. ADDRESS stands for the
+  /// other host's; the scenario file must be the same there.
+  const std::vector<std::string>& commands_elsewhere() const { return commands_elsewhere_; }
 
   /// Participants whose processes have ended.
   std::vector<std::uint32_t> dead();
@@ -41,11 +46,12 @@ class FleetProcesses {
   struct Member {
     transport::MemberPlan plan;
     std::string name;
-    transport::Process process;
+    std::optional<transport::Process> process;  // none: on another host
     bool has_failed = false;
   };
 
   std::vector<Member> members_;
+  std::vector<std::string> commands_elsewhere_;
   std::vector<std::string> mishaps_;
 };
 

@@ -3,6 +3,7 @@
 #include "app/options.hpp"
 
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -17,23 +18,52 @@ std::string set_pace(Pace& pace, const std::string& text) {
   } else if (text == "wall") {
     pace = {Pace::Kind::wall, 1.0};
   } else {
-    char* rest = nullptr;
-    const double factor = std::strtod(text.c_str(), &rest);
-    if (*rest != '\0' || !(factor > 0.0) || factor > 1e6) {
-      return "--speed: max, wall, or times real time between 0 and 1e6 (got " + text + ")";
+    double factor = 0.0;
+    const auto [stop, fault] = std::from_chars(text.data(), text.data() + text.size(), factor);
+    const bool is_number = fault == std::errc{} && stop == text.data() + text.size();
+    if (!is_number || !(factor >= 0.01 && factor <= 1e6)) {
+      return "--speed: max, wall, or times real time, from 0.01 to 1e6 (got " + text + ")";
     }
     pace = {Pace::Kind::times_real, factor};
   }
   return {};
 }
 
+// "7" or "3-4", numbers from 1.
+std::optional<AgentRange> agent_range(const std::string& text) {
+  const char* const end = text.data() + text.size();
+  AgentRange range{};
+  auto read = std::from_chars(text.data(), end, range.first);
+  range.last = range.first;
+  if (read.ec == std::errc{} && read.ptr != end && *read.ptr == '-') {
+    read = std::from_chars(read.ptr + 1, end, range.last);
+  }
+  const bool is_range = read.ec == std::errc{} && read.ptr == end;
+  if (!is_range || range.first == 0 || range.first > range.last) return std::nullopt;
+  return range;
+}
+
+// The library takes "-1" for a large number and "+5" or "0x5" for a small one.
+const CLI::Validator digits{
+    [](const std::string& text) -> std::string {
+      std::uint64_t value = 0;
+      const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
+      const bool is_whole = read.ec == std::errc{} && read.ptr == text.data() + text.size();
+      return is_whole ? "" : "must be a whole number below 2^64 (got " + text + ")";
+    },
+    ""};
+const CLI::Validator something{
+    [](const std::string& text) -> std::string { return text.empty() ? "must not be empty" : ""; },
+    ""};
+
 void add_scenario(CLI::App& command, Options& options) {
   command.add_option("scenario", options.scenario, "Scenario file (YAML)")->required();
-  command.add_option("--seed", options.seed, "Instead of the scenario's seed");
+  command.add_option("--seed", options.seed, "Instead of the scenario's seed")->check(digits);
 }
 
 void add_results(CLI::App& command, Options& options) {
-  command.add_option("--out", options.out, "Folder for the results (default out/<scenario name>)");
+  command.add_option("--out", options.out, "Folder for the results (default out/<scenario name>)")
+      ->check(something);
   command.add_flag("--json", options.json, "Print result.json to stdout, and nothing else there");
   command.add_flag("--quiet", options.quiet, "No progress, no summary");
 }
@@ -58,6 +88,11 @@ int furrow(int argc, char** argv) {
 
   CLI::App* run_command =
       app.add_subcommand("run", "Fly as one process per scheduler, station and agent, over DDS");
+  for (CLI::App* command : {sim_command, run_command}) {
+    command->footer(
+        "Ctrl-C keeps the results so far, marked partial (code 1); during planning it waits for "
+        "the plan, and a second one ends at once with code 130 and nothing written.");
+  }
   add_scenario(*run_command, options);
   add_results(*run_command, options);
   std::string speed = "max";
@@ -66,9 +101,20 @@ int furrow(int argc, char** argv) {
   run_command
       ->add_option("--agents-per-process", options.agents_per_process,
                    "Aircraft hosted by one process")
+      ->check(digits)
       ->check(CLI::Range(1, 50));
   run_command->add_option("--interface", options.interface,
                           "Address of the network interface to use");
+
+  std::string remote;
+  run_command
+      ->add_option("--remote-agents", remote,
+                   "Aircraft of another host, 7 or 3-4: prints the commands to start there")
+      ->check(something);
+  run_command
+      ->add_option("--start-in", options.start_in_s, "Seconds until a mission in real time begins")
+      ->check(digits)
+      ->check(CLI::Range(1, 3600));
 
   CLI::App* export_command =
       app.add_subcommand("export", "Write a mission's sorties for other tools, in WGS84");
@@ -86,6 +132,17 @@ int furrow(int argc, char** argv) {
   if (const std::string error = set_pace(options.pace, speed); !error.empty()) {
     std::fprintf(stderr, "furrow: %s\n", error.c_str());
     return Exit::bad_input;
+  }
+
+  if (!remote.empty()) {
+    options.remote_agents = agent_range(remote);
+    if (!options.remote_agents || options.pace.kind != Pace::Kind::wall) {
+      std::fprintf(stderr,
+                   "furrow: --remote-agents: must be a number or a range like 3-4, with --speed "
+                   "wall (got %s)\n",
+                   remote.c_str());
+      return Exit::bad_input;
+    }
   }
 
   if (check_command->parsed()) return check(options);

@@ -12,6 +12,11 @@ struct Pace {
   double factor = 1.0;  ///< Times real time, for `times_real`.
 };
 
+/// Aircraft by their place in the scenario, 1 <= first <= last.
+struct AgentRange {
+  std::uint32_t first, last;
+};
+
 /// What the command line asks for.
 struct Options {
   std::string scenario;               ///< Path of the scenario file.
@@ -22,9 +27,11 @@ struct Options {
   bool quiet = false;
   std::uint32_t agents_per_process = 0;  ///< 0: one, or as many as fit into 50 processes.
   std::string interface = "127.0.0.1";
-  std::string folder;          ///< Results of a finished mission, for export.
-  std::string format;          ///< Of the missions exported.
-  std::string program_folder;  ///< Where the other programs of this build are.
+  std::optional<AgentRange> remote_agents;  ///< Started by hand on another host; wall clock only.
+  std::uint32_t start_in_s = 5;             ///< From starting the processes to the mission's epoch.
+  std::string folder;                       ///< Results of a finished mission, for export.
+  std::string format;                       ///< Of the missions exported.
+  std::string program_folder;               ///< Where the other programs of this build are.
 };
 
 /// Exit codes, as every user may rely on them.

@@ -29,4 +29,9 @@ bool is_recipient(NodeId to, const Envelope& envelope) {
   return std::visit(Recipient{to}, envelope.body);
 }
 
+bool ends_mission(const Envelope& envelope) {
+  const auto* const state = std::get_if<SchedulerState>(&envelope.body);
+  return state != nullptr && state->phase == MissionPhase::finished;
+}
+
 }  // namespace furrow

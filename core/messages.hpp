@@ -256,4 +256,7 @@ struct Envelope {
 /// Whether `to` acts on what `envelope` says. Recorders take everything besides.
 bool is_recipient(NodeId to, const Envelope& envelope);
 
+/// Whether this is the scheduler's word that the mission is over.
+bool ends_mission(const Envelope& envelope);
+
 }  // namespace furrow

@@ -48,6 +48,7 @@ Expected<NodeOptions, std::string> node_options(int argc, const char* const* arg
                 .run = {},
                 .participant = 0,
                 .interface = "127.0.0.1",
+                .peers = {},
                 .mode = NodeOptions::Mode::granted,
                 .epoch_ns = 0,
                 .first = 0,
@@ -64,6 +65,8 @@ Expected<NodeOptions, std::string> node_options(int argc, const char* const* arg
   app.add_option("--run", o.run, "Name of the run")->required();
   app.add_option("--participant", o.participant, "DDS participant id")->check(CLI::Range(0, 119));
   app.add_option("--interface", o.interface, "Network address to use");
+  app.add_option("--peer", o.peers, "Address of the director's host, where it is another")
+      ->check(CLI::ValidIPV4);
   app.add_option("--mode", o.mode, "granted or wall")->transform(CLI::CheckedTransformer(modes));
   app.add_option("--epoch-ns", o.epoch_ns, "Wall time of mission time zero [ns since 1970]");
   app.add_option("--boot", boot, "Number of this start of the process")

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace furrow::mission {
 
@@ -19,6 +20,7 @@ struct NodeOptions {
   std::string run;                    ///< Name of the run; nodes of other runs are not heard.
   int participant;                    ///< 0 .. 119.
   std::string interface;              ///< Network address to use, "127.0.0.1" unless told.
+  std::vector<std::string> peers;     ///< Addresses of the hosts of the director and the scheduler.
   Mode mode;
   std::int64_t epoch_ns;      ///< Wall time of mission time zero, since 1970 [ns]; wall mode only.
   std::uint32_t first, last;  ///< The agents hosted, or the station twice; 0 for a scheduler.

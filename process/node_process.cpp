@@ -1,5 +1,6 @@
 #include "process/node_process.hpp"
 
+#include "core/require.hpp"
 #include "mission/fleet.hpp"
 #include "mission/load.hpp"
 #include "transport/member.hpp"
@@ -9,7 +10,7 @@
 namespace furrow::process {
 namespace {
 
-constexpr int broke_off = 1, bad_input = 2;
+constexpr int bad_input = 2;
 
 transport::MemberSettings member_settings(const mission::Scenario& scenario,
                                           const mission::NodeOptions& options) {
@@ -17,7 +18,8 @@ transport::MemberSettings member_settings(const mission::Scenario& scenario,
       .network = {.domain = static_cast<std::uint32_t>(options.domain),
                   .run = options.run,
                   .stations = static_cast<std::uint32_t>(scenario.stations.size()),
-                  .interface = options.interface},
+                  .interface = options.interface,
+                  .peers = options.peers},
       .participant = static_cast<std::uint32_t>(options.participant),
       .nodes = {},
       .boot = options.boot};
@@ -67,7 +69,7 @@ int node_process(int argc, char** argv, const MakeNodes& make_nodes) {
     return run(*options, make_nodes);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "furrow: internal error: %s\n", error.what());
-    return broke_off;
+    return internal_error;
   }
 }
 

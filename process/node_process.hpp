@@ -20,7 +20,8 @@ using Nodes = std::vector<std::pair<NodeId, AnyNode>>;
 using MakeNodes = std::function<Expected<Nodes, std::string>(const mission::Scenario&,
                                                              const mission::NodeOptions&)>;
 
-/// @return  Exit code: 0 when the run ended, 1 when it broke off, 2 on bad input.
+/// @return  Exit code: 0 when the run ended, 1 when it broke off, 2 on bad input, 3 on an internal
+/// error.
 int node_process(int argc, char** argv, const MakeNodes& make_nodes);
 
 }  // namespace furrow::process

@@ -7,17 +7,14 @@
 
 namespace furrow::sim {
 
-bool ends_mission(const Envelope& envelope) {
-  const auto* state = std::get_if<SchedulerState>(&envelope.body);
-  return state != nullptr && state->phase == MissionPhase::finished;
-}
-
 Log simulate(NodeHost& host, Duration latency, Instant limit, const Watch& watch) {
   require(latency > Duration::zero(), "messages take time, or no order of events is defined");
   Log log{.envelopes = {}, .ended = limit, .finished = false};
+  const Instant past_limit = limit == never ? never : limit + Duration{1};  // the limit counts
 
-  for (Instant next = host.next_event(); next < limit; next = host.next_event()) {
-    std::vector<Envelope> sent = host.advance(std::min(next + latency, limit));
+  for (Instant next = host.next_event(); next < past_limit; next = host.next_event()) {
+    const Instant until = std::min(next + latency, past_limit);
+    std::vector<Envelope> sent = host.advance(until);
     for (const Envelope& envelope : sent) host.deliver(envelope);
 
     const auto last = std::find_if(sent.begin(), sent.end(), ends_mission);
@@ -30,6 +27,7 @@ Log simulate(NodeHost& host, Duration latency, Instant limit, const Watch& watch
     if (!goes_on && !log.finished && !sent.empty()) log.ended = sent.back().sent;
     std::move(sent.begin(), sent.end(), std::back_inserter(log.envelopes));
     if (log.finished || !goes_on) break;
+    if (host.next_event() == never) log.ended = until - Duration{1};
   }
   return log;
 }

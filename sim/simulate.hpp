@@ -19,13 +19,10 @@ struct Log {
 using Watch = std::function<bool(const std::vector<Envelope>&)>;
 
 /// Runs every node of `host` on a virtual clock until the scheduler has finished, nothing is left
-/// to happen, or `limit` is reached.
+/// to happen, or `limit` is over: what happens at that very instant still does.
 ///
 /// @param host     All nodes of the run.
 /// @param latency  Of the host's link: the width of the windows in which nodes advance.
 Log simulate(NodeHost& host, Duration latency, Instant limit, const Watch& watch = {});
-
-/// Whether this is the scheduler's word that the mission has ended.
-bool ends_mission(const Envelope& envelope);
 
 }  // namespace furrow::sim

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace furrow::transport {
@@ -23,10 +24,11 @@ struct DirectorSettings {
   std::vector<MemberPlan> members;
   Duration latency;               ///< Least time of a message on the way, > 0: the lookahead.
   std::optional<double> pace{};   ///< Mission seconds per second, > 0; left out: as fast as can be.
-  Instant mission_limit = never;  ///< The run is given up there.
+  Instant mission_limit = never;  ///< The run is given up after this instant, which still counts.
   /// The mission's epoch in CLOCK_REALTIME nanoseconds: nothing is granted, only recorded.
   std::optional<std::int64_t> epoch_realtime_ns{};
   std::chrono::milliseconds start_timeout{30'000};  ///< For every member to be there.
+  std::chrono::milliseconds stall_timeout{60'000};  ///< Longest step of a member that lives.
   /// Sees every envelope once, ordered by time, sender, sequence number (by arrival on the wall
   /// clock).
   std::function<void(const Envelope&)> observer{};
@@ -40,7 +42,8 @@ enum class Ending {
   mission_limit,  ///< Time was up.
   idle,           ///< Nothing was going to happen any more.
   interrupted,
-  abandoned  ///< Every member has died.
+  abandoned,  ///< Every member has died.
+  failed      ///< The network did, on the way; `reason` says how.
 };
 
 struct DirectorResult {
@@ -50,11 +53,13 @@ struct DirectorResult {
   std::vector<std::uint32_t> died;   ///< Participants lost on the way.
   std::uint64_t rounds;              ///< Of grants.
   std::uint64_t malformed_messages;  ///< Dropped by the recorder.
+  std::string reason{};              ///< A sentence, when the run failed.
 };
 
-/// Waits for every member, runs the mission to its end and tells the members to stop.
+/// Waits for every member, runs the mission to its end and tells the members to stop. What fails on
+/// the way ends the run with all that was recorded before.
 ///
-/// @return  An error when a member does not come, or its port is taken.
+/// @return  An error when a member does not come, or a port is taken: nothing has run then.
 Expected<DirectorResult, TransportError> run_director(const DirectorSettings& settings);
 
 }  // namespace furrow::transport

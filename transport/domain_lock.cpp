@@ -1,12 +1,12 @@
 #include "transport/domain_lock.hpp"
 
+#include "transport/ports.hpp"
+
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
 #include <utility>
 
-#include <arpa/inet.h>
-#include <netinet/in.h>
 #include <sys/socket.h>
 #include <sys/un.h>
 #include <unistd.h>
@@ -14,17 +14,11 @@
 namespace furrow::transport {
 namespace {
 
-// Another DDS application may sit on the ports that the director of this domain would need.
+// Another DDS application may sit on the ports that the first participants of this domain need.
 bool has_free_ports(const std::string& interface, std::uint32_t domain) {
-  for (const std::uint32_t offset : {10u, 11u, 12u, 13u}) {
-    const int fd = ::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
-    sockaddr_in address{};
-    address.sin_family = AF_INET;
-    address.sin_port = htons(static_cast<std::uint16_t>(7400 + 250 * domain + offset));
-    ::inet_pton(AF_INET, interface.c_str(), &address.sin_addr);
-    const bool free = ::bind(fd, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
-    ::close(fd);
-    if (!free) return false;
+  for (const std::uint32_t number : {director_participant, scheduler_participant}) {
+    if (!is_port_free(interface, discovery_port(domain, number))) return false;
+    if (!is_port_free(interface, user_port(domain, number))) return false;
   }
   return true;
 }

@@ -20,7 +20,6 @@ using fleet::v1::TimeGrant;
 using fleet::v1::TimeRequest;
 
 constexpr milliseconds slice{20};
-constexpr milliseconds stall_patience{60'000};  // a member's longest step
 
 struct Stop {
   Ending ending;
@@ -58,13 +57,16 @@ class GrantedDirector {
   }
 
   Result run() {
-    if (const auto failure = gather()) return Unexpected{*failure};
+    if (const auto failure = gather()) {
+      if (is_called_off_) return end({Ending::interrupted, Instant{}});
+      return Unexpected{*failure};
+    }
     began_ = WallClock::now();
     for (;;) {
       if (const auto stop = stop_before_round()) return end(*stop);
       pace();
       begin_round();
-      if (const auto failure = await_round()) return Unexpected{*failure};
+      if (const auto failure = await_round()) return end({Ending::failed, reached_}, failure->what);
       if (const auto finished = record_round()) return end({Ending::finished, *finished});
     }
   }
@@ -115,7 +117,8 @@ class GrantedDirector {
       for (const std::uint32_t dead : watch_.new_deaths()) {
         return TransportError{text(plan(dead)) + " ended before the start"};
       }
-      if (watch_.is_interrupted()) return TransportError{"interrupted before the start"};
+      is_called_off_ = watch_.is_interrupted();
+      if (is_called_off_) return TransportError{"interrupted before the start"};
       if (WallClock::now() > end) {
         return TransportError{missing.value_or("the recorder does not hear every member") +
                               " within " + std::to_string(settings_.start_timeout.count() / 1000) +
@@ -182,7 +185,7 @@ class GrantedDirector {
         settings_.mission_limit == never ? never : settings_.mission_limit + Duration{1};
     const GrantedClock::Round round = clock_.next_round(last);
     ++round_;
-    reached_ = round.limit - Duration{1};
+    round_end_ = round.limit - Duration{1};
     for (const auto& given : round.grants) {
       TimeGrant grant;
       grant.member(given.participant);
@@ -201,7 +204,7 @@ class GrantedDirector {
 
   // Until every granted member has reported, and all that it has sent is here.
   std::optional<TransportError> await_round() {
-    const auto end = WallClock::now() + stall_patience;
+    const auto end = WallClock::now() + settings_.stall_timeout;
     while (!awaited_.empty()) {
       for (TimeRequest& request : incoming_.take_notes(awaited_.size(), slice)) {
         const bool is_due = request.round() == round_ && awaited_.contains(request.member());
@@ -223,7 +226,7 @@ class GrantedDirector {
   }
 
   bool hold(TimeRequest& request) {
-    const auto end = WallClock::now() + stall_patience;
+    const auto end = WallClock::now() + settings_.stall_timeout;
     for (auto& written : request.written()) {
       while (
           !incoming_.wait_for(request.member(), written.topic(), written.last_sequence(), slice)) {
@@ -244,17 +247,18 @@ class GrantedDirector {
     }
     for (const auto& [participant, next] : reports_) clock_.report(participant, next);
     reports_.clear();
+    reached_ = round_end_;
 
     std::optional<Instant> finished;
     for (Sample& s : samples) {
       if (finished && s.envelope.sent > *finished) break;
-      if (!finished && is_farewell(s.envelope)) finished = s.envelope.sent;
+      if (!finished && ends_mission(s.envelope)) finished = s.envelope.sent;
       recorder_.keep(std::move(s.envelope));
     }
     return finished;
   }
 
-  Result end(Stop stop) {
+  Result end(Stop stop, std::string reason = {}) {
     for (auto& [participant, writer] : grants_) {
       TimeGrant grant;
       grant.member(participant);
@@ -267,8 +271,10 @@ class GrantedDirector {
         writer.wait_for_acknowledgements(milliseconds{2000});
       }
     }
-    return std::move(recorder_).result(stop.ending, stop.end, watch_.died(), round_,
-                                       incoming_.malformed());
+    DirectorResult result = std::move(recorder_).result(stop.ending, stop.end, watch_.died(),
+                                                        round_, incoming_.malformed());
+    result.reason = std::move(reason);
+    return result;
   }
 
   const DirectorSettings& settings_;
@@ -282,7 +288,8 @@ class GrantedDirector {
   std::set<std::uint32_t> awaited_;
   std::map<std::uint32_t, Instant> reports_;
   std::uint64_t round_ = 0;
-  Instant reached_{};
+  Instant round_end_{}, reached_{};  // of the round on its way, and of what is recorded
+  bool is_called_off_ = false;
   WallClock::time_point began_;
 };
 

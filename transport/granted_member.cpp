@@ -57,7 +57,9 @@ class GrantedMember {
       }
       grant = next_grant();
     }
-    return Unexpected{TransportError{round_ == 0 ? "no director came" : "the director is gone"}};
+    if (round_ > 0) return Unexpected{TransportError{"the director is gone"}};
+    if (mailbox_.has_lost(director_participant)) return Done{};  // it called the run off
+    return Unexpected{TransportError{"no director came"}};
   }
 
  private:

@@ -18,7 +18,9 @@ struct Network {
   std::string run;                      ///< Runs of different names do not hear each other.
   std::uint32_t stations;               ///< How many processes host stations.
   std::string interface = "127.0.0.1";  ///< IPv4 address that this process binds to.
-  std::vector<std::string> peers{};     ///< IPv4 addresses of further hosts of the run.
+  /// IPv4 addresses of other hosts where the director, the scheduler or stations are. Those need
+  /// not name the hosts of agents: they answer whoever announces itself.
+  std::vector<std::string> peers{};
 };
 
 inline constexpr std::uint32_t director_participant = 0;

@@ -2,15 +2,13 @@
 
 #include "core/require.hpp"
 #include "transport/fastdds_log.hpp"
+#include "transport/ports.hpp"
 
 #include <array>
 #include <cstdlib>
 #include <random>
 
 #include <arpa/inet.h>
-#include <netinet/in.h>
-#include <sys/socket.h>
-#include <unistd.h>
 
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
@@ -23,14 +21,6 @@ namespace rtps = eprosima::fastrtps::rtps;
 using eprosima::fastdds::rtps::UDPv4TransportDescriptor;
 
 constexpr std::size_t number_at = 8;  // its place in the GUID prefix
-
-// Ports as RTPS lays them out: 7400 + 250 per domain, two for each participant.
-constexpr std::uint32_t discovery_port(std::uint32_t domain, std::uint32_t number) {
-  return 7400 + 250 * domain + 10 + 2 * number;
-}
-constexpr std::uint32_t user_port(std::uint32_t domain, std::uint32_t number) {
-  return discovery_port(domain, number) + 1;
-}
 
 // Vendor, a nonce for this start, and the number: every handle tells which participant it is of.
 rtps::GuidPrefix_t prefix(std::uint32_t number) {
@@ -49,17 +39,6 @@ rtps::Locator_t locator(const std::string& address, std::uint32_t port) {
   rtps::Locator_t locator;
   rtps::IPLocator::createLocator(LOCATOR_KIND_UDPv4, address, port, locator);
   return locator;
-}
-
-bool is_port_free(const std::string& interface, std::uint32_t port) {
-  const int fd = ::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_port = htons(static_cast<std::uint16_t>(port));
-  const bool ok = ::inet_pton(AF_INET, interface.c_str(), &address.sin_addr) == 1 &&
-                  ::bind(fd, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
-  ::close(fd);
-  return ok;
 }
 
 eprosima::fastrtps::Duration_t dds_time(std::chrono::milliseconds t) {

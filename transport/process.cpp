@@ -21,6 +21,8 @@ int code_of(int status) { return WIFEXITED(status) ? WEXITSTATUS(status) : 128 +
 [[noreturn]] void become(char* const* argv, pid_t parent) {
   // The parent's handlers are not the child's, and all signals are blocked here.
   for (int number = 1; number < NSIG; ++number) ::signal(number, SIG_DFL);
+  // A terminal sends these to parent and children alike; the parent decides what they mean.
+  for (const int number : {SIGINT, SIGHUP}) ::signal(number, SIG_IGN);
   sigset_t none;
   ::sigemptyset(&none);
   ::sigprocmask(SIG_SETMASK, &none, nullptr);

@@ -13,7 +13,7 @@
 namespace furrow::transport {
 
 /// A child process. It is killed when its owner lets go of it, and dies with the thread that
-/// spawned it.
+/// spawned it. Ctrl-C on the terminal is the parent's to hear, not its own.
 class Process {
  public:
   /// @param argv  The program's path, then its arguments.

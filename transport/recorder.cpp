@@ -18,11 +18,6 @@ bool is_due(std::chrono::steady_clock::time_point& last) {
 
 }  // namespace
 
-bool is_farewell(const Envelope& envelope) {
-  const auto* const state = std::get_if<SchedulerState>(&envelope.body);
-  return state != nullptr && state->phase == MissionPhase::finished;
-}
-
 bool is_earlier(const Envelope& a, const Envelope& b) {
   return std::tie(a.sent, a.from, a.seq) < std::tie(b.sent, b.from, b.seq);
 }

@@ -14,9 +14,6 @@ namespace furrow::transport {
 
 using Incoming = Mailbox<fleet::v1::TimeRequest>;
 
-/// Whether this is the scheduler saying that the mission is over.
-bool is_farewell(const Envelope& envelope);
-
 /// The order of the log.
 bool is_earlier(const Envelope& a, const Envelope& b);
 

@@ -3,6 +3,7 @@
 #include "transport/fleet_topics.hpp"
 #include "transport/member.hpp"
 
+#include <algorithm>
 #include <optional>
 
 namespace furrow::transport {
@@ -30,16 +31,18 @@ Expected<DirectorResult, TransportError> run_wall_director(const DirectorSetting
   for (;;) {
     incoming.wait_for_message(std::chrono::milliseconds{20});
     for (Sample& sample : incoming.take_messages()) {
-      if (is_farewell(sample.envelope) && !finished) finished = now();
+      if (ends_mission(sample.envelope) && !finished) finished = now();
       recorder.keep(std::move(sample.envelope));
     }
     if (finished && now() > *finished + grace) return result(Ending::finished, now());
     if (!finished) watch.new_deaths();  // leaving after the end is no death
-    if (now() > settings.mission_limit) {
+    // At the limit the scheduler ends the mission itself, and its word takes a while.
+    if (!finished && now() - grace > settings.mission_limit) {
       return result(Ending::mission_limit, settings.mission_limit);
     }
-    if (watch.is_interrupted()) return result(Ending::interrupted, now());
-    if (!watch.has_anyone()) return result(Ending::abandoned, now());
+    const Instant end = std::max(now(), Instant{});  // the epoch may be yet to come
+    if (watch.is_interrupted()) return result(Ending::interrupted, end);
+    if (!watch.has_anyone()) return result(Ending::abandoned, end);
   }
 }
 

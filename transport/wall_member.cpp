@@ -21,11 +21,6 @@ constexpr Duration longest_sleep = wall_lease / 4;
 std::atomic<bool> is_told_to_stop{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
-bool is_farewell(const Envelope& envelope) {
-  const auto* const state = std::get_if<SchedulerState>(&envelope.body);
-  return state != nullptr && state->phase == MissionPhase::finished;
-}
-
 struct Nothing {};  // the clock says nothing on the wall clock
 
 class WallMember {
@@ -82,7 +77,7 @@ class WallMember {
   // Clocks of hosts differ, and the host has been where the sender was not yet: a message counts as
   // sent when it can still arrive.
   void take(Envelope envelope, Instant limit) {
-    if (is_farewell(envelope)) end_ = std::min(end_, limit + grace);
+    if (ends_mission(envelope)) end_ = std::min(end_, limit + grace);
     envelope.sent = std::clamp(envelope.sent, reached_, limit);
     host_.deliver(envelope);
   }

@@ -10,6 +10,10 @@ namespace furrow::transport {
 
 inline constexpr std::size_t longest_sequence = 1'000'000;
 
+/// Instants on the wire are within 30 years of the epoch, so sums with any duration of a mission
+/// stay far from the ends of the clock. Before the epoch lies the start on the wall clock.
+inline constexpr std::int64_t farthest_ns = 1'000'000'000'000'000'000;
+
 /// Core value to wire field.
 struct Encode {
   template <class Core, class Wire>
@@ -41,11 +45,12 @@ struct Decode {
 
   template <class Core, class Wire>
   void operator()(Core& value, const Wire& field) {
-    if constexpr (std::is_floating_point_v<Wire>) valid = valid && !std::isnan(field);
+    if constexpr (std::is_floating_point_v<Wire>) valid = valid && std::isfinite(field);
     if constexpr (std::is_enum_v<Core>) {
       value = static_cast<Core>(field);
     } else if constexpr (std::is_same_v<Core, Instant>) {
-      value = Instant{Duration{field}};
+      valid = valid && field >= -farthest_ns && field <= farthest_ns;
+      value = Instant{Duration{valid ? field : 0}};
     } else if constexpr (requires { value.base(); }) {
       value = Core::from_base(field);
     } else {

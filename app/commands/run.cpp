@@ -12,19 +12,18 @@
 namespace furrow::app {
 namespace {
 
-// Time for every process to start before a mission on the wall clock begins.
-constexpr std::chrono::seconds wall_start{5};
-
 std::int64_t realtime_ns(std::chrono::system_clock::time_point t) {
   return std::chrono::nanoseconds{t.time_since_epoch()}.count();
 }
 
 Flight flight(transport::DirectorResult result, const FleetProcesses& processes) {
-  const bool finished = result.ending == transport::Ending::finished;
+  using transport::Ending;
+  const bool finished = result.ending == Ending::finished;
   Flight flight{.log = {std::move(result.log), result.end, finished},
-                .interrupted = result.ending == transport::Ending::interrupted ||
-                               result.ending == transport::Ending::abandoned,
+                .broken_off = result.ending == Ending::interrupted ||
+                              result.ending == Ending::abandoned || result.ending == Ending::failed,
                 .mishaps = processes.mishaps()};
+  if (!result.reason.empty()) flight.mishaps.push_back(std::move(result.reason));
   if (result.malformed_messages > 0) {
     flight.mishaps.push_back(
         fmt::format("{} malformed messages were dropped", result.malformed_messages));
@@ -52,11 +51,15 @@ int run(const Options& options) {
                                          .mission_limit = Instant{scenario.mission_limit}};
     if (options.pace.kind == Pace::Kind::times_real) settings.pace = options.pace.factor;
     if (options.pace.kind == Pace::Kind::wall) {
-      settings.epoch_realtime_ns = realtime_ns(std::chrono::system_clock::now() + wall_start);
+      settings.epoch_realtime_ns =
+          realtime_ns(std::chrono::system_clock::now() + std::chrono::seconds{options.start_in_s});
     }
 
     auto processes = FleetProcesses::start(options, scenario, settings);
     if (!processes) return Unexpected{processes.error()};
+    for (const std::string& command : processes->commands_elsewhere()) {
+      fmt::print(stderr, "Start on the other host: {}\n", command);
+    }
     settings.members = processes->members();
     settings.observer = [&](const Envelope& envelope) { progress.observe(envelope); };
     settings.interrupted = [&] { return is_interrupted() || processes->is_crippled(); };

@@ -30,7 +30,7 @@ Expected<Flight, std::string> simulated(const mission::Scenario& scenario,
   };
   Flight flight{};
   flight.log = sim::simulate(host, scenario.link.latency, Instant{scenario.mission_limit}, watch);
-  flight.interrupted = is_interrupted();
+  flight.broken_off = is_interrupted();
   return flight;
 }
 

@@ -4,6 +4,7 @@
 import json
 import os
 import pathlib
+import shutil
 import signal
 import subprocess
 import sys
@@ -66,12 +67,21 @@ class Furrow(unittest.TestCase):
         path.write_text(text)
         return path
 
+    def slow_to_plan(self):
+        """48 hectares and a search that only its budget ends: seconds of planning."""
+        text = GARDEN.read_text().replace("[60, 0], [60, 80], [0, 80]",
+                                          "[600, 0], [600, 800], [0, 800]")
+        for key, small, large in (("spray", 150, 900), ("flight", 400, 1500)):
+            text = text.replace(f"{key}_endurance_s: {small}", f"{key}_endurance_s: {large}")
+        return self.scenario(
+            text + "solver: {returns: gsa, iterations: 1000000, agents: 1000, budget_s: 2}\n")
+
     def out(self, name):
         return self.folder / name
 
-    def started(self, *arguments):
+    def started(self, *arguments, **settings):
         process = subprocess.Popen([BIN / "furrow", *map(str, arguments)], text=True,
-                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, **settings)
         self.addCleanup(process.stdout.close)
         self.addCleanup(process.stderr.close)
         self.addCleanup(process.kill)
@@ -125,6 +135,21 @@ class Determinism(Furrow):
             self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(without_timing(self.out("sim")), without_timing(self.out("run")))
 
+    def test_sim_and_run_agree_where_the_mission_limit_ends_them(self):
+        # Before the first heartbeat, with one at the very instant, and between two.
+        for limit_s in (1, 100, 100.5):
+            with self.subTest(limit_s):
+                short = self.scenario(GARDEN.read_text() + f"limits: {{mission_s: {limit_s}}}\n")
+                for command in ("sim", "run"):
+                    done = furrow(command, short, "--quiet", "--out", self.out(command))
+                    self.assertEqual(done.returncode, 1, done.stderr)
+                    self.assertIn("longer than its limit", done.stderr)
+                self.assertEqual(without_timing(self.out("sim")), without_timing(self.out("run")))
+                result = json.loads((self.out("sim") / "result.json").read_text())
+                self.assertFalse(result["partial"])
+                # What the scheduler gave up at the limit is in the ledger's count.
+                self.assertGreater(result["coverage"]["missed_m2"], 0)
+
     def test_another_seed_is_another_run(self):
         for seed in (1, 2):
             furrow("sim", self.garden, "--quiet", "--seed", seed, "--out", self.out(str(seed)))
@@ -141,6 +166,7 @@ class Deaths(Furrow):
             done = furrow(command, deadly, "--quiet", "--out", self.out(command))
             self.assertEqual(done.returncode, 1, done.stderr)
             self.assertIn("not completed", done.stderr)
+            self.assertRegex(done.stderr, r"lost at 10\d\.\d s: agent 2: nothing was heard of it")
         self.assertEqual(without_timing(self.out("sim")), without_timing(self.out("run")))
         result = json.loads((self.out("run") / "result.json").read_text())
         self.assertLessEqual(result["faults"][0]["noticed_s"], 100 + 3 + 2)  # lease and heartbeat
@@ -155,6 +181,7 @@ class Deaths(Furrow):
         code, errors = self.ended(process)
         self.assertEqual(code, 1, errors)
         self.assertIn("ended with code 137", errors)
+        self.assertRegex(errors, r"lost at \d+\.\d s: agent \d: ")
         self.assertTrue((self.out("run") / "report.html").exists())
         self.assertEqual(processes_in(self.garden), {})
 
@@ -183,6 +210,41 @@ class Deaths(Furrow):
         self.assertEqual(processes_in(self.garden), {})
         self.assertEqual(set(os.listdir("/dev/shm")) - before, set())
 
+    def test_an_interrupt_before_the_start_ends_quietly_with_the_plan(self):
+        process = self.started("run", self.garden, "--speed", 0.01, "--out", self.out("run"),
+                               start_new_session=True)
+        self.assertTrue(eventually(lambda: len(processes_in(self.garden)) > 1, 20))
+        os.killpg(process.pid, signal.SIGINT)  # as a terminal does: to the children, too
+        code, errors = self.ended(process)
+        self.assertEqual(code, 1, errors)
+        for line in errors.splitlines():
+            self.assertNotRegex(line, "director|ended with code")
+        result = json.loads((self.out("run") / "result.json").read_text())
+        self.assertTrue(result["partial"])
+        self.assertEqual(result["coverage"]["covered_m2"], 0)
+        self.assertGreater(result["fleet"]["planned_makespan_s"], 0)
+        self.assertEqual(processes_in(self.garden), {})
+
+    def test_an_interrupt_while_the_plan_is_made_keeps_the_plan_and_a_second_ends_at_once(self):
+        for command in ("sim", "run"):
+            for interrupts, expected in ((1, 1), (2, 130)):
+                with self.subTest(command=command, interrupts=interrupts):
+                    out = self.out(f"{command}{interrupts}")
+                    process = self.started(command, self.slow_to_plan(), "--out", out)
+                    time.sleep(0.5)
+                    for _ in range(interrupts):
+                        process.send_signal(signal.SIGINT)
+                        time.sleep(0.2)
+                    code, errors = self.ended(process)
+                    self.assertEqual(code, expected, errors)
+                    self.assertIn("once more", errors)
+                    if expected == 130:
+                        self.assertFalse(out.exists())
+                    else:
+                        result = json.loads((out / "result.json").read_text())
+                        self.assertTrue(result["partial"])
+                        self.assertEqual(result["log"]["messages"], 0)
+
     def test_when_the_director_is_killed_every_process_ends(self):
         process = self.started("run", self.garden, "--speed", 30, "--out", self.out("run"))
         self.assertTrue(eventually(lambda: len(processes_in(self.garden)) == 5, 20))
@@ -208,6 +270,58 @@ class Paces(Furrow):
         self.assertEqual(done.returncode, 0, done.stderr)
         result = json.loads((self.out("wall") / "result.json").read_text())
         self.assertEqual(result["coverage"]["missed_m2"], 0)
+
+
+class Hosts(Furrow):
+    NAMES = [f"furrow-test-{os.getpid()}-{i}" for i in (1, 2)]
+    ADDRESSES = ["10.213.77.1", "10.213.77.2"]
+
+    def setUp(self):
+        """Two hosts with nothing but a cable between them."""
+        super().setUp()
+        if not shutil.which("ip"):
+            self.skipTest("needs iproute2")
+        ip = lambda *words: subprocess.run(["ip", *words], capture_output=True, text=True)
+        for name in self.NAMES:
+            self.addCleanup(ip, "netns", "delete", name)
+            made = ip("netns", "add", name)
+            if made.returncode != 0:
+                self.skipTest("needs leave to make network namespaces: " + made.stderr.strip())
+        ends = [f"fr{os.getpid() % 100_000}{end}" for end in "ab"]
+        made = ip("link", "add", ends[0], "netns", self.NAMES[0], "type", "veth",
+                  "peer", "name", ends[1], "netns", self.NAMES[1])
+        if made.returncode != 0:
+            self.skipTest("needs virtual cables: " + made.stderr.strip())
+        for name, address, end in zip(self.NAMES, self.ADDRESSES, ends):
+            ip("-n", name, "link", "set", "lo", "up")
+            ip("-n", name, "address", "add", f"{address}/24", "dev", end)
+            ip("-n", name, "link", "set", end, "up")
+        is_up = lambda: all(" UP " in ip("-n", name, "-br", "link", "show", "dev", end).stdout
+                            for name, end in zip(self.NAMES, ends))
+        self.assertTrue(eventually(is_up, 10))
+
+    def test_agents_of_another_host_fly_with_the_rest(self):
+        short = self.scenario(GARDEN.read_text().replace("[60, 80], [0, 80]", "[60, 4], [0, 4]"))
+        director = subprocess.Popen(
+            ["ip", "netns", "exec", self.NAMES[0], BIN / "furrow", "run", short, "--speed", "wall",
+             "--interface", self.ADDRESSES[0], "--remote-agents", "2", "--start-in", "8",
+             "--out", self.out("hosts")], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        self.addCleanup(director.stderr.close)
+        self.addCleanup(director.kill)
+        command = director.stderr.readline()
+        self.assertTrue(command.startswith("Start on the other host: furrow-agents "), command)
+        words = command.split()[5:]
+        agents = subprocess.Popen(["ip", "netns", "exec", self.NAMES[1], BIN / words[0],
+                                   *(self.ADDRESSES[1] if word == "ADDRESS" else word
+                                     for word in words[1:])])
+        self.addCleanup(agents.wait)
+        self.addCleanup(agents.kill)
+        code, errors = self.ended(director)
+        self.assertEqual(code, 0, errors)
+        self.assertEqual(agents.wait(20), 0)
+        result = json.loads((self.out("hosts") / "result.json").read_text())
+        self.assertEqual(result["coverage"]["missed_m2"], 0)
+        self.assertTrue(all(uav["spray_s"] > 0 for uav in result["uavs"]))
 
 
 class Input(Furrow):
@@ -238,11 +352,37 @@ class Input(Furrow):
                           ("run", self.garden, "--speed", "fast"),
                           ("run", self.garden, "--agents-per-process", 51),
                           ("run", self.garden, "--interface", "203.0.113.1"),
-                          ("sim", self.garden, "--seed", "x")):
+                          ("run", self.garden, "--speed", "-1"),
+                          ("run", self.garden, "--speed", "nan"),
+                          ("run", self.garden, "--speed", "1e-9"),
+                          ("run", self.garden, "--speed", "0x10"),
+                          ("run", self.garden, "--speed", " 5"),
+                          ("run", self.garden, "--speed", ""),
+                          ("run", self.garden, "--agents-per-process", 0),
+                          ("run", self.garden, "--agents-per-process", "+2"),
+                          ("run", self.garden, "--remote-agents", "2"),
+                          ("run", self.garden, "--speed", "wall", "--remote-agents", "2-1"),
+                          ("run", self.garden, "--speed", "wall", "--remote-agents", "2-3"),
+                          ("run", self.garden, "--speed", "wall", "--remote-agents", "-2"),
+                          ("run", self.garden, "--speed", "wall", "--start-in", 0),
+                          ("run", self.garden, "--interface", ""),
+                          ("run", self.garden, "--interface", "localhost"),
+                          ("sim", self.garden, "--out", ""),
+                          ("sim", self.garden, "--seed", "x"),
+                          ("sim", self.garden, "--seed", "-1"),
+                          ("sim", self.garden, "--seed", "+1"),
+                          ("sim", self.garden, "--seed", ""),
+                          ("sim", self.garden, "--seed", "1.5"),
+                          ("sim", self.garden, "--seed", 2**64)):
             with self.subTest(arguments):
                 done = furrow(*arguments)
                 self.assertEqual(done.returncode, 2, done.stderr)
                 self.assertNotEqual(done.stderr.strip(), "")
+
+    def test_check_counts_what_it_found_in_words(self):
+        done = furrow("check", self.garden)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertTrue(done.stdout.endswith("sound: 2 UAVs, 1 station\n"), done.stdout)
 
     def test_json_is_all_that_is_printed_to_stdout(self):
         done = furrow("sim", self.garden, "--json", "--out", self.out("sim"))

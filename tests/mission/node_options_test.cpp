@@ -13,8 +13,8 @@ Expected<NodeOptions, std::string> options(std::vector<const char*> words) {
 
 TEST_CASE("node_options: every option is read", "[mission]") {
   const auto o = options({"--seed", "18446744073709551615", "--domain", "7", "--participant", "12",
-                          "--interface", "10.0.0.1", "--mode", "wall", "--epoch-ns",
-                          "1700000000000000000", "--agents", "1-50", "--boot", "99"});
+                          "--interface", "10.0.0.1", "--peer", "10.0.0.2", "--mode", "wall",
+                          "--epoch-ns", "1700000000000000000", "--agents", "1-50", "--boot", "99"});
 
   REQUIRE(o);
   CHECK(o->scenario == "s.yaml");
@@ -23,6 +23,7 @@ TEST_CASE("node_options: every option is read", "[mission]") {
   CHECK(o->run == "r1");
   CHECK(o->participant == 12);
   CHECK(o->interface == "10.0.0.1");
+  CHECK(o->peers == std::vector<std::string>{"10.0.0.2"});
   CHECK(o->mode == NodeOptions::Mode::wall);
   CHECK(o->epoch_ns == 1'700'000'000'000'000'000);
   CHECK(o->first == 1);

@@ -14,7 +14,8 @@ double best_finish_s(const planner::Route& route, CellRange cells, const Vehicle
   double best_s = 1e9;
   for (const Station& s : stations) {
     const auto problem = planner::return_problem(route, cells, v, s);
-    for (std::uint32_t mask = 0; mask < 1u << (cells.count - 1); ++mask) {
+    // No sortie but the last ends after the first cell.
+    for (std::uint32_t mask = 0; mask < 1u << (cells.count - 1); mask += 2) {
       planner::Returns returns;
       for (std::uint32_t c = 0; c + 1 < cells.count; ++c) {
         if (mask >> c & 1u) returns.push_back(c);

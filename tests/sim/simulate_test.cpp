@@ -32,11 +32,20 @@ TEST_CASE("simulate: ends at the instant at which the scheduler says so", "[sim]
   CHECK(log.envelopes.size() == 4);  // at 0, 1, 2 and 3 s
 }
 
-TEST_CASE("simulate: gives up at the limit, exclusive", "[sim]") {
+TEST_CASE("simulate: gives up after the instant of the limit", "[sim]") {
   NodeHost host = with_metronome(100);
   const Log log = simulate(host, radio.latency, Instant{2 * second});
   CHECK_FALSE(log.finished);
-  CHECK(log.envelopes.size() == 2);  // at 0 and 1 s
+  CHECK(log.ended == Instant{2 * second});
+  CHECK(log.envelopes.size() == 3);  // at 0, 1 and 2 s
+}
+
+TEST_CASE("simulate: what the scheduler says at the instant of the limit ends the mission",
+          "[sim]") {
+  NodeHost host = with_metronome(2);
+  const Log log = simulate(host, radio.latency, Instant{2 * second});
+  CHECK(log.finished);
+  CHECK(log.ended == Instant{2 * second});
 }
 
 TEST_CASE("simulate: stops when the watch says so, and keeps what was said", "[sim]") {

@@ -155,6 +155,44 @@ TEST_CASE("survival: members are told when their run is interrupted", "[transpor
   CHECK(children.exit_codes() == std::map<std::uint32_t, int>{{1, 0}, {2, 0}});
 }
 
+TEST_CASE("survival: a member that no longer answers ends the run with what was recorded",
+          "[transport]") {
+  const auto lock = transport::DomainLock::any_free();
+  REQUIRE(lock);
+  const toy::Run run{.fleet = {.agents = 1, .stations = 0, .seconds = 1'000'000},
+                     .domain = lock->domain()};
+  toy::Children children{run};
+  auto settings = toy::director(run, children);
+  settings.stall_timeout = milliseconds{1000};  // well under the lease: it counts as alive
+  std::size_t messages = 0;
+  settings.observer = [&](const Envelope&) {
+    if (++messages == 100) children[2].signal(SIGSTOP);
+  };
+  const auto result = run_director(settings);
+  if (!result) FAIL(result.error().what);
+  CHECK(result->ending == transport::Ending::failed);
+  CHECK(result->reason == "participant 2 (agent 1) does not answer");
+  CHECK(result->log.size() == messages);
+  CHECK(messages >= 100);
+}
+
+TEST_CASE("survival: members whose director leaves before the start end without complaint",
+          "[transport]") {
+  const auto lock = transport::DomainLock::any_free();
+  REQUIRE(lock);
+  const toy::Run run{.fleet = {.agents = 2, .stations = 0, .seconds = 1}, .domain = lock->domain()};
+  toy::Children children{run};
+  auto settings = toy::director(run, children);
+  settings.members.push_back({.participant = 9, .nodes = {node(AgentId{9})}});  // never comes
+  const auto begin = SteadyClock::now();
+  settings.interrupted = [&] { return SteadyClock::now() - begin > milliseconds{2000}; };
+  const auto result = run_director(settings);
+  if (!result) FAIL(result.error().what);
+  CHECK(result->ending == transport::Ending::interrupted);
+  CHECK(result->log.empty());
+  CHECK(children.exit_codes() == std::map<std::uint32_t, int>{{1, 0}, {2, 0}, {3, 0}});
+}
+
 TEST_CASE("survival: members end by themselves when their director is killed", "[transport]") {
   const auto lock = transport::DomainLock::any_free();
   REQUIRE(lock);
@@ -192,6 +230,12 @@ TEST_CASE("process: tells how a child ended", "[transport]") {
   sleeping->signal(SIGTERM);
   CHECK(sleeping->wait(milliseconds{5000}) == 128 + SIGTERM);
   CHECK_FALSE(transport::Process::spawn({"/no/such/program"}));
+}
+
+TEST_CASE("process: leaves Ctrl-C to its parent", "[transport]") {
+  auto child = transport::Process::spawn({"/bin/sh", "-c", "kill -INT $$; exit 4"});
+  REQUIRE(child);
+  CHECK(child->wait(milliseconds{5000}) == 4);
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ Vehicle vehicle() {
           .battery_reserve = 0.1,
           .tank = litres(10),
           .min_turn_radius = metres(4),
-          .acceleration_limit = metres_per_second2(std::numeric_limits<double>::infinity()),
+          .acceleration_limit = metres_per_second2(3.5),
           .gnss = {.sigma = metres(0.02), .bias = metres(0.01)}};
 }
 
@@ -193,6 +193,8 @@ TEST_CASE("wire: a value outside the contract invalidates its sample", "[transpo
   CHECK(decoded<1>(state));
   state.heading_rad(std::numeric_limits<double>::quiet_NaN());
   CHECK_FALSE(decoded<1>(state));
+  state.heading_rad(-std::numeric_limits<double>::infinity());
+  CHECK_FALSE(decoded<1>(state));
 
   auto claim = encoded<6>(samples()[6], BootId{9});
   claim.status(0);
@@ -204,6 +206,22 @@ TEST_CASE("wire: a value outside the contract invalidates its sample", "[transpo
   auto report = encoded<5>(samples()[5], BootId{9});
   report.closures()[0].reason(200);
   CHECK_FALSE(decoded<5>(report));
+}
+
+TEST_CASE("wire: an instant to which no latency can be added invalidates its sample",
+          "[transport]") {
+  constexpr auto end = std::numeric_limits<std::int64_t>::max();
+  auto state = encoded<1>(samples()[1], BootId{9});
+  for (const std::int64_t t_ns : {end, end - 1, -end, std::int64_t{1} << 61}) {
+    state.header().t_ns(t_ns);
+    CHECK_FALSE(decoded<1>(state));
+  }
+  state.header().t_ns(-5'000'000'000);  // said before a start on the wall clock
+  CHECK(decoded<1>(state));
+
+  auto grant = encoded<7>(samples()[7], BootId{9});
+  grant.expires_ns(end);
+  CHECK_FALSE(decoded<7>(grant));
 }
 
 }  // namespace

@@ -51,10 +51,10 @@ TEST_CASE("result_json: has the agreed keys in the agreed order", "[app]") {
   const Json json = Json::parse(result_json(summary(small_flight())));
 
   CHECK(keys(json) == std::vector<std::string>{
-                          "version",   "scenario",  "seed",     "mode",      "partial",
-                          "completed", "field",     "coverage", "footprint", "fleet",
-                          "uavs",      "batteries", "solver",   "deviation", "stations",
-                          "laws",      "log",       "timing",   "faults",    "expectations"});
+                          "version", "scenario",  "seed",   "mode",        "partial",   "completed",
+                          "field",   "datum",     "sweep",  "coverage",    "footprint", "fleet",
+                          "uavs",    "batteries", "solver", "deviation",   "stations",  "laws",
+                          "log",     "timing",    "faults", "expectations"});
   const auto sortie = keys(json["uavs"][0]["sorties"][0]);
   const std::vector<std::string> agreed{
       "start_m",      "return_m",       "spray_m", "round_trip_m", "flight_s",
@@ -173,7 +173,7 @@ TEST_CASE("terminal: the progress bar is drawn ten times a second and on termina
   CHECK(ProgressBar(200, false).draw(50, 120.0, 2.0).empty());
 }
 
-TEST_CASE("write_results: writes five files and leaves nothing else", "[app]") {
+TEST_CASE("write_results: writes six files and leaves nothing else", "[app]") {
   namespace fs = std::filesystem;
   const fs::path dir = fs::temp_directory_path() / "furrow_write_results_test" / "deep";
   fs::remove_all(dir.parent_path());
@@ -181,8 +181,8 @@ TEST_CASE("write_results: writes five files and leaves nothing else", "[app]") {
   const auto written = write_results(dir, record, summary(record));
 
   REQUIRE(written);
-  CHECK(written->size() == 5);
-  CHECK(std::distance(fs::directory_iterator{dir}, fs::directory_iterator{}) == 5);
+  CHECK(written->size() == 6);
+  CHECK(std::distance(fs::directory_iterator{dir}, fs::directory_iterator{}) == 6);
   std::ifstream file{dir / "result.json"};
   CHECK(Json::parse(file)["scenario"] == "small");
 
