@@ -43,6 +43,13 @@ std::optional<double> ratio_gap(double value, double bound) {
   return value == 0 ? std::optional{0.0} : std::nullopt;
 }
 
+// A plan with waits in its objective may still reach the bound without them.
+bool is_proven(const planner::Solution& solution) {
+  const double bound_s = solution.lower_bound_s;
+  return solution.proven ||
+         (bound_s > 0 && std::abs(solution.plan.non_spray_s - bound_s) <= 1e-9 * bound_s);
+}
+
 FieldFigures field_figures(const MissionRecord& record) {
   const planner::Route& route = record.plan.route;
   double strips_m = 0;
@@ -173,7 +180,7 @@ UavFigures common_figures(const scheduler::UavPlan& uav, double area_m2) {
   f.planned_spray_ended_s = uav.spray_ends_s;
   f.planned_non_spray_s = uav.solution.plan.non_spray_s;
   f.lower_bound_s = uav.solution.lower_bound_s;
-  f.proven = uav.solution.proven;
+  f.proven = is_proven(uav.solution);
   return f;
 }
 
@@ -262,7 +269,7 @@ SolverFigures solver_figures(const MissionRecord& record) {
     }
     f.non_spray_s += solution.plan.non_spray_s;
     f.lower_bound_s += solution.lower_bound_s;
-    f.proven = f.proven && (solution.proven || uav.cells.count == 0);
+    f.proven = f.proven && (is_proven(solution) || uav.cells.count == 0);
     f.evaluations += solution.evaluations;
     gsa_s += solution.gsa_objective_s;
   }

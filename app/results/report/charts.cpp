@@ -85,7 +85,7 @@ std::string histogram(const std::vector<Pass>& passes) {
   return svg.markup();
 }
 
-std::string strip_bars(const MissionRecord& record, const Flown& flown) {
+std::string strip_bars(const MissionRecord& record, const Flown& flown, const Colours& colours) {
   constexpr std::size_t most_bars = 220;
   const auto& strips = record.plan.route.strips;
   std::vector<std::size_t> strip_of(record.plan.route.centers.size());
@@ -105,8 +105,7 @@ std::string strip_bars(const MissionRecord& record, const Flown& flown) {
   }
   for (std::size_t u = 0; u < record.plan.uavs.size(); ++u) {
     const CellRange share = record.plan.uavs[u].strips;
-    for (std::uint32_t s = share.first; s < end(share); ++s)
-      bars.colours[s / per_bar] = uav_colour(u);
+    for (std::uint32_t s = share.first; s < end(share); ++s) bars.colours[s / per_bar] = colours[u];
   }
   const double most = *std::max_element(bars.heights.begin(), bars.heights.end());
   const Chart chart{0.5, static_cast<double>(count * per_bar) + 0.5, std::max(most, 0.01) * 1.1};
@@ -120,9 +119,11 @@ std::string strip_bars(const MissionRecord& record, const Flown& flown) {
 
 }  // namespace
 
-std::string deviation_charts(const MissionRecord& record, const Flown& flown) {
+std::string deviation_charts(const MissionRecord& record, const Flown& flown,
+                             const Colours& colours) {
   if (flown.passes.empty() || record.plan.route.strips.empty()) return {};
-  return "<div class=\"charts\">" + histogram(flown.passes) + strip_bars(record, flown) + "</div>";
+  return "<div class=\"charts\">" + histogram(flown.passes) + strip_bars(record, flown, colours) +
+         "</div>";
 }
 
 }  // namespace furrow::app

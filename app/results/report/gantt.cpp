@@ -44,8 +44,8 @@ std::string_view words(Phase phase) {
   return "unknown";
 }
 
-std::optional<Bar> bar(const Span& span, std::size_t uav) {
-  Bar b{span.from_s, span.to_s, uav_colour(uav), 0.9, 1, {}, {}};
+std::optional<Bar> bar(const Span& span, std::string_view colour) {
+  Bar b{span.from_s, span.to_s, colour, 0.9, 1, {}, {}};
   switch (span.phase) {
     case Phase::spray: break;
     case Phase::fly_out:
@@ -63,7 +63,7 @@ std::optional<Bar> bar(const Span& span, std::size_t uav) {
   return b;
 }
 
-std::vector<Row> uav_rows(const Flown& flown, const Result& result) {
+std::vector<Row> uav_rows(const Flown& flown, const Result& result, const Colours& colours) {
   const auto spans = timelines(result, flown);
   std::vector<Row> rows;
   for (std::size_t i = 0; i < result.uavs.size(); ++i) {
@@ -72,7 +72,8 @@ std::vector<Row> uav_rows(const Flown& flown, const Result& result) {
             .planned_end_s = {},
             .lost_s = {}};
     for (const Span& span : spans[i]) {
-      if (auto b = bar(span, i); b && b->to_s > b->from_s) row.bars.push_back(std::move(*b));
+      if (auto b = bar(span, colours[i]); b && b->to_s > b->from_s)
+        row.bars.push_back(std::move(*b));
     }
     if (result.uavs[i].planned_spray_ended_s > 0) {
       row.planned_end_s = result.uavs[i].planned_spray_ended_s;
@@ -83,7 +84,7 @@ std::vector<Row> uav_rows(const Flown& flown, const Result& result) {
   return rows;
 }
 
-std::vector<Row> bay_rows(const Result& result) {
+std::vector<Row> bay_rows(const Result& result, const Colours& colours) {
   std::vector<Row> rows;
   for (const StationFigures& station : result.stations) {
     for (const BayFigures& bay : station.bays) {
@@ -94,7 +95,7 @@ std::vector<Row> bay_rows(const Result& result) {
       for (std::size_t i = 0; i < result.uavs.size(); ++i) {
         for (const SortieFigures& s : result.uavs[i].sorties) {
           if (s.station != station.id || s.bay != bay.bay) continue;
-          row.bars.push_back({s.service_began_s, s.ready_s, uav_colour(i), 0.9, 1,
+          row.bars.push_back({s.service_began_s, s.ready_s, colours[i], 0.9, 1,
                               fmt::format("UAV {}: {:.1f} to {:.1f} min", result.uavs[i].id,
                                           s.service_began_s / 60, s.ready_s / 60),
                               fmt::format("{}", result.uavs[i].id)});
@@ -193,9 +194,9 @@ std::string legend() {
 
 }  // namespace
 
-std::string gantt_figure(const Flown& flown, const Result& result) {
-  std::vector<Row> rows = uav_rows(flown, result);
-  for (Row& row : bay_rows(result)) rows.push_back(std::move(row));
+std::string gantt_figure(const Flown& flown, const Result& result, const Colours& colours) {
+  std::vector<Row> rows = uav_rows(flown, result, colours);
+  for (Row& row : bay_rows(result, colours)) rows.push_back(std::move(row));
   double end_s = std::max({result.fleet.makespan_s, result.fleet.planned_makespan_s, 60.0});
   for (const Row& row : rows) {
     for (const Bar& b : row.bars) end_s = std::max(end_s, b.to_s);

@@ -13,11 +13,13 @@ using Chains = std::vector<std::vector<Pixel>>;
 
 class Panels {
  public:
-  Panels(const MissionRecord& record, const Flown& flown, const Result& result)
+  Panels(const MissionRecord& record, const Flown& flown, const Result& result,
+         const Colours& colours)
       : record_{record},
         route_{record.plan.route},
         flown_{flown},
         result_{result},
+        colours_{colours},
         view_{view_of(record.scenario)} {}
 
   std::string planned() const {
@@ -25,11 +27,11 @@ class Panels {
     for (std::size_t i = 0; i < uavs().size(); ++i) draw_ferries(svg, i);
     for (std::size_t i = 0; i < uavs().size(); ++i) {
       svg.path(strips(i), false,
-               {.stroke = uav_colour(i), .width = line_width(0.62), .opacity = 0.9});
+               {.stroke = colours_[i], .width = line_width(0.62), .opacity = 0.9});
     }
     draw_cells(svg, route_.missed, alarm);
     for (std::size_t i = 0; i < uavs().size(); ++i) draw_returns(svg, i);
-    for (std::size_t i = 0; i < uavs().size(); ++i) draw_label(svg, i);
+    draw_labels(svg);
     draw_stations(svg, view_, record_.scenario);
     return svg.markup();
   }
@@ -42,7 +44,7 @@ class Panels {
     for (const bool spraying : {false, true}) {
       for (std::size_t i = 0; i < flown_.uavs.size(); ++i) {
         svg.path(track(flown_.uavs[i].track, spraying), false,
-                 {.stroke = spraying ? uav_colour(i) : "#4a4a44",
+                 {.stroke = spraying ? colours_[i] : "#4a4a44",
                   .width = spraying ? line_width(0.42) : 0.6,
                   .opacity = spraying ? 1 : 0.55});
       }
@@ -118,20 +120,15 @@ class Panels {
     }
   }
 
-  void draw_label(Svg& svg, std::size_t uav) const {
-    const CellRange cells = uavs()[uav].cells;
-    if (cells.count == 0) return;
-    const FieldPoint first = route_.centers[cells.first], last = route_.centers[end(cells) - 1];
-    const CellRange share = uavs()[uav].strips;
-    const planner::Strip& middle = route_.strips[share.first + share.count / 2];
-    const Pixel a = view_.at(middle.from), b = view_.at(middle.to);
-    const Pixel p = view_.at(first), q = view_.at(last);
-    // Across the strips the middle of the share, along them the middle of its middle strip.
-    const bool is_upright = std::abs(b.y - a.y) > std::abs(b.x - a.x);
-    const Pixel at{is_upright ? (p.x + q.x) / 2 : (a.x + b.x) / 2,
-                   is_upright ? (a.y + b.y) / 2 : (p.y + q.y) / 2};
-    svg.text({at.x, at.y + 4}, fmt::format("{}", number(uavs()[uav].vehicle.id)),
-             {.size = 13, .anchor = "middle", .fill = ink, .bold = true, .halo = true});
+  void draw_labels(Svg& svg) const {
+    const auto places = label_places(route_, uavs());
+    for (std::size_t i = 0; i < uavs().size(); ++i) {
+      for (const FieldPoint p : places[i]) {
+        const Pixel at = view_.at(p);
+        svg.text({at.x, at.y + 4}, fmt::format("{}", number(uavs()[i].vehicle.id)),
+                 {.size = 13, .anchor = "middle", .fill = ink, .bold = true, .halo = true});
+      }
+    }
   }
 
   Chains track(const std::vector<TrackPoint>& points, bool spraying) const {
@@ -158,7 +155,7 @@ class Panels {
     for (const SortieFigures& s : result_.uavs[uav].sorties) {
       if (s.bay == 0) continue;
       svg.circle(
-          view_.at(s.returned), 3.2, {.fill = uav_colour(uav), .stroke = ink, .width = 1.2},
+          view_.at(s.returned), 3.2, {.fill = colours_[uav], .stroke = ink, .width = 1.2},
           fmt::format("UAV {} returned at {:.1f} min", result_.uavs[uav].id, s.spray_ended_s / 60));
     }
   }
@@ -261,6 +258,7 @@ class Panels {
   const planner::Route& route_;
   const Flown& flown_;
   const Result& result_;
+  const Colours& colours_;
   View view_;
 };
 
@@ -269,13 +267,11 @@ std::string key(std::string_view colour, std::string_view words, std::string_vie
                      escaped(words));
 }
 
-std::string legend(const Result& result, bool is_flown) {
+std::string legend(const Result& result, const Colours& colours, bool is_flown) {
   std::string items;
-  const std::size_t shown = std::min<std::size_t>(result.uavs.size(), hues.size());
-  for (std::size_t i = 0; i < shown; ++i) {
-    items += key(uav_colour(i), fmt::format("UAV {}", result.uavs[i].id));
+  for (std::size_t i = 0; i < result.uavs.size(); ++i) {
+    items += key(colours[i], fmt::format("UAV {}", result.uavs[i].id));
   }
-  if (shown < result.uavs.size()) items += "<li>then the colours repeat; numbers name the UAV</li>";
   items += "<li><i class=\"key ring\"></i>return point</li>";
   items += key(ink, "supply station");
   items += key(alarm, "missed cell");
@@ -290,12 +286,13 @@ std::string legend(const Result& result, bool is_flown) {
 
 }  // namespace
 
-std::string map_figure(const MissionRecord& record, const Flown& flown, const Result& result) {
-  const Panels panels{record, flown, result};
+std::string map_figure(const MissionRecord& record, const Flown& flown, const Result& result,
+                       const Colours& colours) {
+  const Panels panels{record, flown, result, colours};
   const bool is_flown = record.mode != Mode::plan;
   std::string figure = "<div class=\"maps\">" + panels.planned();
   if (is_flown) figure += panels.tracks() + panels.accuracy();
-  return figure + "</div>" + legend(result, is_flown);
+  return figure + "</div>" + legend(result, colours, is_flown);
 }
 
 }  // namespace furrow::app

@@ -11,10 +11,6 @@ namespace furrow::app {
 inline constexpr std::array<std::string_view, 7> hues{"#0072b2", "#e69f00", "#009e73", "#cc79a7",
                                                       "#56b4e9", "#d55e00", "#8c7a00"};
 
-/// The colour of the UAV at `index` in the fleet. Neighbours differ; beyond seven they repeat, and
-/// labels tell them apart.
-constexpr std::string_view uav_colour(std::size_t index) { return hues[index % hues.size()]; }
-
 inline constexpr std::string_view ink = "#22302a";
 inline constexpr std::string_view faint_ink = "#6b7a72";
 inline constexpr std::string_view rule_line = "#d9e0dc";

@@ -55,6 +55,7 @@ std::string closing(const Result& r) {
 
 std::string report_html(const MissionRecord& record, const Result& result) {
   const Flown log = flown(record);
+  const Colours colours = uav_colours(record.plan.route, record.plan.uavs);
   std::string page = fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
@@ -63,10 +64,10 @@ std::string report_html(const MissionRecord& record, const Result& result) {
   page += banner(result);
   page += section("At a glance",
                   headline(result) + titled("What was expected", expectation_table(result)));
-  page += section("Map", map_figure(record, log, result));
-  page += section("Who did what when", gantt_figure(log, result));
+  page += section("Map", map_figure(record, log, result, colours));
+  page += section("Who did what when", gantt_figure(log, result, colours));
   page += section("The plan against the optimum", optimum_table(result) + uav_table(result));
-  page += section("Off the line", deviation_table(result) + deviation_charts(record, log));
+  page += section("Off the line", deviation_table(result) + deviation_charts(record, log, colours));
   page += section("Worth reading", event_table(record));
   page += section("Stations and batteries",
                   "<div class=\"two\">" + titled("Stations", station_table(result)) +

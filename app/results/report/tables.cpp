@@ -35,6 +35,12 @@ std::string makespan_note(const Result& r) {
   return fmt::format("planned {} ({:+.1f} %)", minutes(planned_s), off);
 }
 
+// How far the search was from the bound before it was refined.
+std::string gsa_alone(const SolverFigures& s) {
+  if (!s.gsa_s || !(s.lower_bound_s > 0)) return {};
+  return "; GSA alone " + percent(*s.gsa_s / s.lower_bound_s - 1);
+}
+
 }  // namespace
 
 std::string headline(const Result& r) {
@@ -51,7 +57,7 @@ std::string headline(const Result& r) {
   cards += card("Not spraying", minutes(r.fleet.non_spray_s) + " min",
                 minutes(r.fleet.queue_wait_s) + " min of it waiting for a bay");
   cards += card(r.solver.proven ? "Above the optimum" : "Above the bound", percent(r.solver.gap),
-                "non-spray time of the plan");
+                "non-spray time of the plan" + gsa_alone(r.solver));
   if (is_flown) {
     cards += card("Off the line", centimetres(r.deviation.truth.rms_m) + " cm",
                   "RMS; " + centimetres(r.deviation.truth.max_m) + " cm at most");
@@ -189,7 +195,7 @@ std::string station_table(const Result& r) {
       services += b.services;
     }
     const double open_s = r.fleet.makespan_s * static_cast<double>(s.bays.size());
-    table.row({fmt::format("Station {}", s.id), fmt::format("{}", s.swaps),
+    table.row({fmt::format("Station\u00a0{}", s.id), fmt::format("{}", s.swaps),
                fmt::format("{:.1f}", s.filled_l), fmt::format("{}", services), minutes(busy_s),
                open_s > 0 ? percent(busy_s / open_s) : ""},
               "total");
