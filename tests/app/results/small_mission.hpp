@@ -144,8 +144,7 @@ inline MissionRecord small_flight() {
   two_flew.offsets_m = {0.5f, 0.5f, 0.5f, 0.5f};
   two_flew.truth = {.samples = 4, .sum_squares = 1.0, .largest = 0.5};
   two_flew.fix = {.samples = 4, .sum_squares = 0.04, .largest = 0.1};
-  two_flew.track = {{at(0), at_m(5.5, 1), metres(3), true},
-                    {at(6), at_m(5.5, 7), metres(3), false}};
+  two_flew.track = {{at(0), at_m(5.5, 1), true}, {at(6), at_m(5.5, 7), false}};
   say(two, 6, strip_three);
   say(two, 7, strip_three);  // repeated until it is booked; counts once
   say(two, 7, two_flew);
@@ -156,7 +155,7 @@ inline MissionRecord small_flight() {
   one_flew.offsets_m = {0, 0, 0, 0, 0};
   one_flew.truth = {.samples = 5, .sum_squares = 0, .largest = 0};
   one_flew.fix = one_flew.truth;
-  one_flew.track = {{at(0), at_m(1, 1), metres(3), true}, {at(8), at_m(3, 7), metres(3), false}};
+  one_flew.track = {{at(0), at_m(1, 1), true}, {at(8), at_m(3, 7), false}};
   say(one, 8, one_flew);
   say(one, 9,
       WorkReport{AgentId{1},
@@ -191,7 +190,7 @@ inline MissionRecord small_flight() {
   one_flew.cells = {5, 3};
   one_flew.offsets_m = {0, 0, 0};
   one_flew.truth.samples = one_flew.fix.samples = 3;
-  one_flew.track = {{at(79), at_m(3, 7), metres(3), true}, {at(85), at_m(3, 1), metres(3), false}};
+  one_flew.track = {{at(79), at_m(3, 7), true}, {at(85), at_m(3, 1), false}};
   say(one, 85, one_flew);
   say(one, 85,
       WorkReport{AgentId{1},
