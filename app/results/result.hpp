@@ -103,7 +103,11 @@ struct SolverFigures {
   std::optional<double> optimum_s;  ///< Where every UAV's is proven.
   double lower_bound_s;
   bool proven;
-  std::optional<double> gap;  ///< None without a bound.
+  std::optional<double> gap;            ///< None without a bound.
+  std::optional<double> until_empty_s;  ///< Non-spray time of returning when the tank is empty.
+  /// Swath model: no plan that returns anywhere along the strips has less; and by how much of its
+  /// mission time the plan on whole cells may lie above that, for the aircraft with the most.
+  std::optional<double> anywhere_lower_bound_s, anywhere_gap;
   std::uint64_t evaluations;
   double wall_s;
 };

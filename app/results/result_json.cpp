@@ -133,6 +133,9 @@ Json json(const SolverFigures& s) {
           {"lower_bound_s", rounded(s.lower_bound_s)},
           {"proven", s.proven},
           {"gap", rounded(s.gap)},
+          {"until_empty_s", rounded(s.until_empty_s)},
+          {"anywhere_lower_bound_s", rounded(s.anywhere_lower_bound_s)},
+          {"anywhere_gap", rounded(s.anywhere_gap)},
           {"evaluations", s.evaluations},
           {"wall_s", rounded(s.wall_s)}};
 }

@@ -4,6 +4,7 @@
 #include "app/results/expectations.hpp"
 #include "app/results/footprint.hpp"
 #include "app/results/land.hpp"
+#include "app/results/solver_figures.hpp"
 #include "app/results/sorties.hpp"
 #include "app/results/sweep_coverage.hpp"
 
@@ -36,18 +37,6 @@ double sum(std::span<const double> shares) {
 
 double cell_area_m2(const MissionRecord& record) {
   return record.plan.route.cell.base() * record.plan.route.cell.base();
-}
-
-std::optional<double> ratio_gap(double value, double bound) {
-  if (bound > 0) return value / bound - 1;
-  return value == 0 ? std::optional{0.0} : std::nullopt;
-}
-
-// A plan with waits in its objective may still reach the bound without them.
-bool is_proven(const planner::Solution& solution) {
-  const double bound_s = solution.lower_bound_s;
-  return solution.proven ||
-         (bound_s > 0 && std::abs(solution.plan.non_spray_s - bound_s) <= 1e-9 * bound_s);
 }
 
 FieldFigures field_figures(const MissionRecord& record) {
@@ -224,7 +213,7 @@ FleetFigures fleet_figures(const MissionRecord& record, const Flown& flown, cons
   f.makespan_s = is_flown ? flown.last_spray_s : record.plan.makespan_s;
   f.planned_makespan_s = record.plan.makespan_s;
   f.lower_bound_s = record.plan.lower_bound_s;
-  f.gap = ratio_gap(f.makespan_s, f.lower_bound_s).value_or(0);
+  f.gap = gap_above(f.makespan_s, f.lower_bound_s).value_or(0);
   for (const UavFigures& uav : result.uavs) {
     f.spray_s += uav.spray_s;
     f.non_spray_s += uav.non_spray_s;
@@ -246,37 +235,6 @@ std::vector<BatteryFigures> battery_figures(const std::vector<UavFigures>& uavs)
     for (const auto& [pack, share] : used) batteries.push_back({uav.id, pack, share});
   }
   return batteries;
-}
-
-SolverFigures solver_figures(const MissionRecord& record) {
-  const planner::SolveSettings& settings = record.scenario.solver;
-  const bool is_gsa = settings.returns == planner::ReturnStrategy::gsa;
-  SolverFigures f{};
-  f.returns = planner::name(settings.returns);
-  f.refined = is_gsa && settings.refine;
-  f.proven = true;
-  f.wall_s = record.timing.solver_wall_s;
-  double gsa_s = 0;
-  for (const scheduler::UavPlan& uav : record.plan.uavs) {
-    const planner::Solution& solution = uav.solution;
-    f.return_points += static_cast<std::uint32_t>(solution.plan.returns.size());
-    f.round_trips_m += solution.plan.round_trips_m;
-    f.swaps += solution.plan.swaps;
-    for (const planner::PlannedSortie& s : solution.plan.sorties) {
-      f.swap_s += s.battery_swap_s;
-      f.fill_s += s.fill_s;
-      f.service_s += s.service_s;
-    }
-    f.non_spray_s += solution.plan.non_spray_s;
-    f.lower_bound_s += solution.lower_bound_s;
-    f.proven = f.proven && (is_proven(solution) || uav.cells.count == 0);
-    f.evaluations += solution.evaluations;
-    gsa_s += solution.gsa_objective_s;
-  }
-  if (is_gsa) f.gsa_s = gsa_s;
-  if (f.proven) f.optimum_s = f.lower_bound_s;
-  f.gap = ratio_gap(f.non_spray_s, f.lower_bound_s);
-  return f;
 }
 
 std::vector<StationFigures> station_figures(const MissionRecord& record, const Flown& flown,

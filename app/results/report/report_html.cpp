@@ -65,6 +65,7 @@ std::string report_html(const MissionRecord& record, const Result& result) {
   page += section("At a glance",
                   headline(result) + titled("What was expected", expectation_table(result)));
   page += section("Map", map_figure(record, log, result, colours));
+  page += section("What was covered", coverage_table(result));
   page += section("Who did what when", gantt_figure(log, result, colours));
   page += section("The plan against the optimum", optimum_table(result) + uav_table(result));
   page += section("Off the line", deviation_table(result) + deviation_charts(record, log, colours));

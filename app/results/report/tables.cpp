@@ -78,6 +78,28 @@ std::string headline(const Result& r) {
   return cards + "</div>";
 }
 
+std::string coverage_table(const Result& r) {
+  if (!r.sweep) return {};
+  const planner::SweepFigures& s = *r.sweep;
+  HtmlTable table{"<", "Planned", r.mode == Mode::plan ? "" : "Flown"};
+  const auto row = [&](const char* what, Area planned, double flown_m2) {
+    table.row({what, whole(planned.base()), r.mode == Mode::plan ? "" : whole(flown_m2)});
+  };
+  row("Covered, m2", s.areas.covered, r.coverage.covered_m2);
+  row("Missed, m2", s.areas.missed, r.coverage.missed_m2);
+  row("Repeated, m2", s.areas.repeated, r.coverage.repeated_m2);
+  row("Outside, m2", s.areas.outside, r.coverage.outside_m2);
+  return table.markup("narrow") +
+         fmt::format(
+             "<p class=\"note\">Areas are of true footprints. {} strip{} in {} part{} of the "
+             "field, {:.0f} m sprayed, {:.0f} m with the connections inside the field; no "
+             "order of these rows is shorter than {:.0f} m ({}). Short strips left out: "
+             "{:.0f} m2.</p>",
+             r.field.strips, r.field.strips == 1 ? "" : "s", s.parts, s.parts == 1 ? "" : "s",
+             s.sprayed.base(), s.route.base(), s.order_bound.base(),
+             s.order_exact ? "solved exactly" : "a bound", s.dropped.base());
+}
+
 std::string expectation_table(const Result& r) {
   HtmlTable table{"<Figure", "Value", "At least", "At most", "<Met"};
   const auto bound = [](const std::optional<double>& v) {
@@ -102,6 +124,14 @@ std::string optimum_table(const Result& r) {
   table.row(
       {"Non-spray time, min", minutes2(s.non_spray_s), minutes2(s.lower_bound_s), percent(s.gap)},
       "total");
+  if (s.until_empty_s) {
+    table.row({"The same until empty, min", minutes2(*s.until_empty_s), "",
+               fmt::format("{:+.2f} %", 100 * (s.non_spray_s / *s.until_empty_s - 1))});
+  }
+  if (s.anywhere_lower_bound_s) {
+    table.row({"Returning anywhere on a strip, min", "", minutes2(*s.anywhere_lower_bound_s),
+               fmt::format("{:.3f} % of the mission", 100 * *s.anywhere_gap)});
+  }
   if (s.gsa_s) table.row({"Objective of GSA alone, min", minutes2(*s.gsa_s), "", ""});
   table.row(
       {"Last cell, min", minutes2(r.fleet.planned_makespan_s), minutes2(r.fleet.lower_bound_s),

@@ -9,6 +9,8 @@
 namespace furrow::app {
 
 std::string headline(const Result& result);
+/// Areas and order of the swath model, planned and flown; empty for the grid.
+std::string coverage_table(const Result& result);
 std::string expectation_table(const Result& result);
 std::string optimum_table(const Result& result);
 std::string uav_table(const Result& result);
