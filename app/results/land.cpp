@@ -6,32 +6,7 @@
 namespace furrow::app {
 namespace {
 
-constexpr double on_edge_m = 1e-6;  // a way along the boundary is not outside
-
-bool contains(const Ring& ring, double x_m, double y_m) {
-  bool inside = false;
-  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
-    const double xi = ring[i].x.base(), yi = ring[i].y.base();
-    const double xj = ring[j].x.base(), yj = ring[j].y.base();
-    if ((yi > y_m) != (yj > y_m) && x_m < (xj - xi) * (y_m - yi) / (yj - yi) + xi) {
-      inside = !inside;
-    }
-  }
-  return inside;
-}
-
-double distance_to_edges_m(const Ring& ring, double x_m, double y_m) {
-  double least = INFINITY;
-  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
-    const double ax = ring[j].x.base(), ay = ring[j].y.base();
-    const double dx = ring[i].x.base() - ax, dy = ring[i].y.base() - ay;
-    const double squared = dx * dx + dy * dy;
-    const double along = squared > 0 ? ((x_m - ax) * dx + (y_m - ay) * dy) / squared : 0;
-    const double t = std::clamp(along, 0.0, 1.0);
-    least = std::min(least, std::hypot(x_m - ax - t * dx, y_m - ay - t * dy));
-  }
-  return least;
-}
+constexpr Length on_edge = metres(1e-6);  // a way along the boundary is not outside
 
 // Shares of the way at which it crosses an edge, with both ends, rising.
 std::vector<double> crossings(const Ring& ring, double ax, double ay, double bx, double by) {
@@ -66,10 +41,9 @@ Area area(const Field& field) {
 }
 
 bool contains(const Field& field, FieldPoint p) {
-  const double x_m = p.x.base(), y_m = p.y.base();
-  return contains(field.boundary, x_m, y_m) &&
+  return furrow::contains(field.boundary, p) &&
          std::none_of(field.holes.begin(), field.holes.end(),
-                      [&](const Ring& hole) { return contains(hole, x_m, y_m); });
+                      [&](const Ring& hole) { return furrow::contains(hole, p); });
 }
 
 Length length_outside(const Field& field, FieldPoint a, FieldPoint b) {
@@ -80,9 +54,9 @@ Length length_outside(const Field& field, FieldPoint a, FieldPoint b) {
   double outside_m = 0;
   for (std::size_t i = 1; i < shares.size(); ++i) {
     const double middle = (shares[i - 1] + shares[i]) / 2;
-    const double x_m = ax + middle * (bx - ax), y_m = ay + middle * (by - ay);
-    if (contains(field.boundary, x_m, y_m)) continue;
-    if (distance_to_edges_m(field.boundary, x_m, y_m) <= on_edge_m) continue;
+    const FieldPoint place = at_m(ax + middle * (bx - ax), ay + middle * (by - ay));
+    if (furrow::contains(field.boundary, place)) continue;
+    if (edge_distance(field.boundary, place) <= on_edge) continue;
     outside_m += (shares[i] - shares[i - 1]) * length_m;
   }
   return metres(outside_m);
