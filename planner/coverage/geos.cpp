@@ -170,6 +170,7 @@ LandParts widened(const PathM& path, double half_width_m) {
 LandParts faces(const std::vector<PathM>& lines) {
   const Session geos;
   std::vector<GEOSGeometry*> members;
+  members.reserve(lines.size());
   for (const PathM& line : lines) {
     members.push_back(GEOSGeom_createLineString_r(geos.context(), geos.sequence(line, false)));
   }

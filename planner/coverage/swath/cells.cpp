@@ -102,6 +102,7 @@ std::vector<RowFrame> edge_directions(const LandPart& part, std::size_t most) {
     if (norm(along) > norm(longest)) longest = along;
   });
   std::vector<std::pair<double, PointM>> ranked;
+  ranked.reserve(by_angle.size());
   for (const auto& [bin, entry] : by_angle) ranked.push_back(entry);
   std::stable_sort(ranked.begin(), ranked.end(),
                    [](const auto& a, const auto& b) { return a.first > b.first; });

@@ -174,6 +174,7 @@ std::vector<GroundStrip> strips_beside(const LandPart& flight, const Edge& edge,
 
 LandParts missed_by(const std::vector<GroundStrip>& strips, const LandParts& land) {
   std::vector<SprayedRun> runs;
+  runs.reserve(strips.size());
   for (const GroundStrip& s : strips) runs.push_back({{s.a, s.b}, 2 * s.half_width_m});
   return missed_land(runs, land);
 }
