@@ -88,14 +88,16 @@ class GrantedMember {
   }
 
   std::optional<fleet::v1::TimeGrant> next_grant() {
-    while (!mailbox_.has_lost(director_participant)) {
+    for (;;) {
+      // Asked before looking: what the director said last counts although it has left since.
+      const bool is_alone = mailbox_.has_lost(director_participant);
       auto grants = mailbox_.take_notes(1, slice);
       for (auto& grant : grants) {
         if (grant.stop() || grant.round() > round_) return std::move(grant);
       }
+      if (is_alone) return std::nullopt;
       tell_losses();
     }
-    return std::nullopt;
   }
 
   void tell_losses() {
