@@ -60,6 +60,16 @@ std::vector<std::string> shortcomings(const Result& result, const std::vector<En
   return all;
 }
 
+// What the planned rows leave out, where it is more than a thousandth of the land; else nothing.
+std::string uncovered(const Result& result) {
+  if (!result.sweep) return {};
+  const planner::SprayedAreas& areas = result.sweep->areas;
+  const double share = areas.missed / (areas.covered + areas.missed);
+  if (!(share > 1e-3)) return {};
+  return fmt::format("the planned rows leave {:.0f} m2 of the field unsprayed, {:.2f} %",
+                     areas.missed.base(), 100 * share);
+}
+
 int report(const Options& options, const MissionRecord& record) {
   const Result result = summary(record);
   const std::string folder = options.out.empty() ? "out/" + record.scenario.name : options.out;
@@ -72,6 +82,7 @@ int report(const Options& options, const MissionRecord& record) {
     fmt::print(stderr, "{}", summary_table(result));
     fmt::print(stderr, "Results: {}/report.html\n", folder);
   }
+  if (const std::string gap = uncovered(result); !gap.empty()) tell(gap);
   const auto lacking = shortcomings(result, record.log);
   for (const std::string& sentence : lacking) tell(sentence);
   return lacking.empty() ? Exit::done : Exit::not_met;
