@@ -182,6 +182,17 @@ LandParts faces(const std::vector<PathM>& lines) {
   return geos.parts_of(geos.owned(GEOSPolygonize_r(geos.context(), input, 1)).get());
 }
 
+PointM inner_place(const LandPart& part) {
+  const Session geos;
+  const auto shape = geos.owned(geos.polygon(part));
+  const auto point = geos.owned(GEOSPointOnSurface_r(geos.context(), shape.get()));
+  require(point != nullptr, "a polygon has a place inside");
+  PointM p{};
+  GEOSGeomGetX_r(geos.context(), point.get(), &p.x);
+  GEOSGeomGetY_r(geos.context(), point.get(), &p.y);
+  return p;
+}
+
 double length_outside_m(const std::vector<PathM>& paths, const LandParts& land) {
   const Session geos;
   const auto shape = geos.polygons(land);

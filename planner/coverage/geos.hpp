@@ -32,6 +32,9 @@ LandParts widened(const PathM& path, double half_width_m);
 /// The faces between `lines`, which may cross.
 LandParts faces(const std::vector<PathM>& lines);
 
+/// A place well inside `part`.
+PointM inner_place(const LandPart& part);
+
 /// Length of `paths` over no part of `land`.
 double length_outside_m(const std::vector<PathM>& paths, const LandParts& land);
 

@@ -48,20 +48,6 @@ double reach_m(const LandPart& part, PointM at, PointM way) {
   return best;
 }
 
-// A place just inside a face, beside the middle of its longest edge.
-PointM inner_place(const LandPart& face) {
-  PointM best{}, along{};
-  double longest_m = -1;
-  each_edge(face, [&](PointM a, PointM b) {
-    if (norm(b - a) <= longest_m) return;
-    longest_m = norm(b - a);
-    best = 0.5 * (a + b);
-    along = (1 / longest_m) * (b - a);
-  });
-  const double inwards_m = std::max(10 * EdgeGrid::touch_m, 1e-3 * area_m2(face) / longest_m);
-  return best + inwards_m * PointM{-along.y, along.x};
-}
-
 }  // namespace
 
 LandParts row_cells(const LandPart& part, const EdgeGrid& edges, RowFrame frame) {

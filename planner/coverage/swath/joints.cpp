@@ -16,11 +16,15 @@ std::optional<PointM> crossing_of(const GroundStrip& s, const GroundStrip& t) {
   return s.a + (cross(t.a - s.a, v) / turn) * u;
 }
 
+// Whether the strip from `a` to `b` still sprays all it did if it ends at `x` of its line.
+bool reaches(PointM a, PointM b, PointM x) { return dot(b - a, x - b) >= -slack_m * norm(b - a); }
+
 bool is_ahead(PointM from, PointM to, PointM place) { return dot(to - from, place - from) > 0; }
 
 }  // namespace
 
-void join_corners(StripOrder& order, const EdgeGrid& edges) {
+bool join_corners(StripOrder& order, const EdgeGrid& edges, Shortening either) {
+  bool shortened = false;
   for (std::size_t i = 1; i < order.strips.size(); ++i) {
     GroundStrip& before = order.strips[i - 1].strip;
     GroundStrip& after = order.strips[i].strip;
@@ -35,6 +39,8 @@ void join_corners(StripOrder& order, const EdgeGrid& edges) {
     }
     const double old_m = norm(before.b - before.a) + norm(after.b - after.a);
     const double new_m = norm(*x - before.a) + norm(after.b - *x);
+    const bool shortens = !reaches(before.a, before.b, *x) || !reaches(after.b, after.a, *x);
+    if (shortens && either == Shortening::refused) continue;
     if (new_m < old_m - slack_m || new_m > old_m + way_m - slack_m || !edges.sees(before.b, *x) ||
         !edges.sees(*x, after.a)) {
       continue;
@@ -43,7 +49,9 @@ void join_corners(StripOrder& order, const EdgeGrid& edges) {
     order.bound_m = std::min(order.bound_m, order.route_m);
     before.b = after.a = *x;
     approach = {*x, *x};
+    shortened = shortened || shortens;
   }
+  return shortened;
 }
 
 }  // namespace furrow::planner

@@ -9,11 +9,12 @@
 namespace furrow::planner {
 namespace {
 
-constexpr int most_rounds = 4;
-constexpr int first_apart = 2;      // round from which each missed place gets a strip of its own
-constexpr double bend = 0.05;       // swaths by which an edge strip may pass a curved edge
-constexpr double shortest = 0.1;    // swaths of edge that are worth a strip
-constexpr double widest_gap = 8.0;  // swaths between missed places that one strip still joins
+constexpr int most_rounds = 10;
+constexpr int first_apart = 2;    // round from which each missed place gets a strip of its own
+constexpr double bend = 0.05;     // swaths by which an edge strip may pass a curved edge
+constexpr double shortest = 0.1;  // swaths of edge that are worth a strip
+constexpr double shortest_apart = 0.01;  // the same of a missed place
+constexpr double widest_gap = 8.0;       // swaths between missed places that one strip still joins
 
 // A side of a ring, or a chord of it that passes over vertices.
 struct Edge {
@@ -160,7 +161,7 @@ std::vector<GroundStrip> strips_beside(const LandPart& flight, const Edge& edge,
       for (const Chord& chord : chords) {
         const double low = std::max(chord.low_m, gap.low_m);
         const double high = std::min(chord.high_m, gap.high_m);
-        if (high - low < std::max(least_m, shortest * swath_m)) continue;
+        if (high - low < least_m) continue;
         strips.push_back({frame.from({low, row.v_m}), frame.from({high, row.v_m}), swath_m / 2});
         if (low > gap.low_m) left.push_back({gap.low_m, low});
         gap.low_m = high;
@@ -216,11 +217,13 @@ std::vector<StripGroup> edge_strips(const LandPart& flight, const LandParts& lan
         stretches_of(missed, edges, land_edges, swath_m, round >= first_apart);
     std::stable_sort(stretches.begin(), stretches.end(),
                      [](const Stretch& a, const Stretch& b) { return a.missed_m2 > b.missed_m2; });
+    const double worth_m =
+        std::max(least_m, (round < first_apart ? shortest : shortest_apart) * swath_m);
     std::vector<GroundStrip> more;
     for (const Stretch& stretch : stretches) {
       if (left_m2 <= allowed_m2) break;
       for (const GroundStrip& strip :
-           strips_beside(flight, edges[stretch.edge], stretch, swath_m, least_m)) {
+           strips_beside(flight, edges[stretch.edge], stretch, swath_m, worth_m)) {
         added.push_back({stretch.edge, strip});
         more.push_back(strip);
       }

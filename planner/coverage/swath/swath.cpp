@@ -62,21 +62,35 @@ PartPlan plan_rows(const LandPart& flight, const FieldLand& field, const InsideP
   return plan;
 }
 
+double missed_m2(const StripOrder& order, const LandParts& land) {
+  return area_m2(missed_land(runs_of(order.strips), land));
+}
+
+// Joins corners; strips are shortened for it only as far as no more than `spare_m2` is missed.
+void join(StripOrder& order, const EdgeGrid& edges, const LandParts& land, double spare_m2) {
+  StripOrder joined = order;
+  const bool shortened = join_corners(joined, edges, Shortening::allowed);
+  if (shortened && missed_m2(joined, land) > std::max(spare_m2, missed_m2(order, land))) {
+    joined = std::move(order);
+    join_corners(joined, edges, Shortening::refused);
+  }
+  order = std::move(joined);
+}
+
 // The plan of one part: rows, then strips along edges that the rows leave ragged.
 PartPlan plan_part(const LandPart& flight, const FieldLand& field,
                    std::optional<RowFrame> direction, const PlanRule& rule) {
   const InsidePaths paths{flight};
   PartPlan plan = plan_rows(flight, field, paths, direction, rule);
+  const LandParts here = field.flight.size() == 1 ? field.land : LandParts{flight};
   const SwathSettings& s = rule.settings;
-  if (s.edges == EdgeMode::cover_all && !plan.groups.empty()) {
-    const LandParts here = field.flight.size() == 1 ? field.land : LandParts{flight};
+  if (s.edges == EdgeMode::cover_all) {  // elsewhere a turn with the valve open reaches outside
     const auto more = edge_strips(flight, here, runs_of(plan.order.strips), rule.swath_m,
                                   s.miss_tolerance, s.min_strip.base());
     plan.groups.insert(plan.groups.end(), more.begin(), more.end());
     if (!more.empty()) plan.order = strip_order(plan.groups, paths, rule.start);
+    join(plan.order, paths.edges(), here, s.miss_tolerance * area_m2(here));
   }
-  // A turn with the valve open reaches beyond the bands that were checked to lie inside.
-  if (s.edges == EdgeMode::cover_all) join_corners(plan.order, paths.edges());
   return plan;
 }
 

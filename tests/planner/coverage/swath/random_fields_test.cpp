@@ -102,7 +102,7 @@ void check_seeds(std::uint64_t first, std::uint64_t count) {
     INFO("seed " << seed);
     CHECK(v.outside_m == 0);
     CHECK(v.unbalanced <= 1e-6);
-    if (v.covers_all) CHECK(v.covered >= 0.98);
+    if (v.covers_all) CHECK(v.covered >= 0.999);
     if (v.inside_only) CHECK(v.sprayed_outside_m2 <= 1e-3);
   }
   CHECK(planned > count / 2);
@@ -116,8 +116,12 @@ TEST_CASE("random fields with holes and faults are covered without leaving them"
 
 TEST_CASE("random fields that were once left, oversprayed or miscounted stay right") {
   // 50: bends of a headland round were not counted as sprayed; 112: ground between rounds was left
-  // out; 726: a turn with the valve open sprayed outside; 6857, 7853, 8658: the least covered.
-  for (const std::uint64_t seed : {50, 112, 726, 6857, 7853, 8658}) check_seeds(seed, 1);
+  // out; 726: a turn with the valve open sprayed outside; 5511, 8658: a joined corner left ground
+  // out; 6857, 9131: a small part got no strips; 1837, 7853, 8722: small places were left between
+  // rounds.
+  for (const std::uint64_t seed : {50, 112, 726, 1837, 5511, 6857, 7853, 8658, 8722, 9131}) {
+    check_seeds(seed, 1);
+  }
 }
 
 TEST_CASE("ten thousand random fields are covered without leaving them", "[.][long]") {

@@ -44,3 +44,19 @@ TEST_CASE("an L is cut into two cells, each flown along its length") {
   CHECK(outside_m(corner, metres(2), *c) == 0);
   CHECK(covered_share(*c) >= 0.999);
 }
+
+TEST_CASE("a spike of any width costs no cover") {
+  for (const double width_m : {0.0, 1e-9, 1e-4, 0.1}) {
+    const Field spiked{
+        .boundary = {at_m(0, 0), at_m(100, 0), at_m(100, 60), at_m(150, 60 + width_m),
+                     at_m(100, 60 + width_m), at_m(100, 100), at_m(60, 100), at_m(60, 40),
+                     at_m(30, 40), at_m(30, 100), at_m(0, 100)},
+        .holes = {},
+        .obstacles = {}};
+    const auto c = swath_coverage(spiked, metres(2), {});
+    REQUIRE(c);
+    INFO("width " << width_m);
+    CHECK(covered_share(*c) >= 0.999);
+    CHECK(outside_m(spiked, metres(2), *c) == 0);
+  }
+}
