@@ -1,0 +1,228 @@
+#include "planner/avoidance/field_options.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace furrow::planner {
+namespace {
+
+constexpr double sample_rad = 0.15;
+constexpr double nothing_m2 = 1e-6;
+
+PointM along(const PassM& pass, double at_m) {
+  return pass.a + (at_m / pass.length_m()) * (pass.b - pass.a);
+}
+
+double backswept_of(const CurveM& curve, double half_m) {
+  double sum = 0;
+  for (const Bend& bend : curve.bends) {
+    if (bend.curvature_per_m == 0) continue;
+    const double radius_m = 1 / std::abs(bend.curvature_per_m);
+    sum += backswept_m2(bend.length_m / radius_m, radius_m, half_m);
+  }
+  return sum;
+}
+
+void append(PathM& path, PointM at) {
+  if (path.empty() || norm(at - path.back()) > 1e-9) path.push_back(at);
+}
+
+}  // namespace
+
+double wrong_alone_m2(const std::vector<PassM>& passes, const CrowdOption& option,
+                      const Room& room) {
+  const PassM& pass = passes.front();
+  const double half_m = pass.width_m / 2;
+  const RowFrame frame = RowFrame::along(pass.b - pass.a);
+  const WindowM window{pass.a, frame, option.low_m - half_m, option.high_m + half_m};
+  PathM path{pass.a};
+  const double sample_m = sample_rad / std::abs(option.curve.bends.front().curvature_per_m);
+  for (const PointM at : sampled(option.curve, sample_m)) append(path, at);
+  append(path, pass.b);
+  std::vector<FootprintM> straight, flown{{std::move(path), half_m}};
+  for (const PassM& p : passes) straight.push_back({{p.a, p.b}, p.width_m / 2});
+  flown.insert(flown.end(), straight.begin() + 1, straight.end());
+  std::vector<CircleM> circles;
+  for (const std::size_t i : room.circles_near(pass.a, pass.b, 2 * pass.width_m)) {
+    circles.push_back(room.circles()[i]);
+  }
+  return area_in(window, straight, circles, flown).sum_m2() + backswept_of(option.curve, half_m);
+}
+
+FieldOptions::FieldOptions(std::vector<PassM> passes, const Room& room, double turn_m)
+    : passes_{std::move(passes)}, turn_m_{turn_m} {
+  for (std::size_t p = 0; p < passes_.size(); ++p) {
+    const auto targets = targets_of(passes_[p], room);
+    targets_ += targets.size();
+    for (Crowd& crowd : crowds_of(passes_[p], targets, room, turn_m)) {
+      crowds_.push_back({p, std::move(crowd)});
+    }
+  }
+  for (const PlacedCrowd& placed : crowds_) {
+    std::vector<PathM>& paths = around_.emplace_back();
+    for (const CrowdOption& option : placed.crowd.options) {
+      paths.push_back(sampled(option.curve, sample_rad * turn_m_));
+    }
+  }
+  for (std::size_t c = 0; c < crowds_.size(); ++c) windows_.push_back(window_of(c, room));
+}
+
+FieldOptions::Window FieldOptions::window_of(std::size_t c, const Room& room) const {
+  const PassM& pass = passes_[crowds_[c].pass];
+  const double half_m = pass.width_m / 2;
+  double low_m = INFINITY, high_m = -INFINITY, aside_m = 0;
+  const RowFrame frame = RowFrame::along(pass.b - pass.a);
+  for (std::size_t o = 0; o < around_[c].size(); ++o) {
+    const CrowdOption& option = crowds_[c].crowd.options[o];
+    low_m = std::min(low_m, option.low_m);
+    high_m = std::max(high_m, option.high_m);
+    if (option.conduct == Conduct::apart) continue;
+    for (const PointM p : around_[c][o]) {
+      aside_m = std::max(aside_m, std::abs(frame.to(p - pass.a).y));
+    }
+  }
+  Window window{{pass.a, frame, low_m - half_m, high_m + half_m}, {}, 0, aside_m + half_m, {}, {}};
+  window.middle = along(pass, (low_m + high_m) / 2);
+  window.radius_m = std::hypot((high_m - low_m) / 2 + half_m, aside_m + half_m);
+  for (std::size_t p = 0; p < passes_.size(); ++p) {
+    const double reach_m = window.radius_m + passes_[p].width_m / 2;
+    if (distance_m(window.middle, passes_[p].a, passes_[p].b) < reach_m) {
+      window.passes.push_back(p);
+    }
+  }
+  for (const std::size_t i : room.circles_near(window.middle, window.middle, window.radius_m)) {
+    window.circles.push_back(room.circles()[i]);
+  }
+  return window;
+}
+
+std::vector<FootprintM> FieldOptions::footprints(std::size_t p,
+                                                 const std::vector<Taken>& taken) const {
+  const PassM& pass = passes_[p];
+  std::vector<FootprintM> made;
+  PathM path{pass.a};
+  const auto close = [&] {
+    if (path.size() > 1) made.push_back({std::move(path), pass.width_m / 2});
+    path.clear();
+  };
+  for (const Taken& t : taken) {
+    if (crowds_[t.crowd].pass != p) continue;
+    const CrowdOption& option = crowds_[t.crowd].crowd.options[t.option];
+    append(path, along(pass, option.low_m));
+    if (option.conduct == Conduct::sprayed) {
+      for (const PointM at : around_[t.crowd][t.option]) append(path, at);
+    } else {
+      close();
+    }
+    append(path, along(pass, option.high_m));
+  }
+  append(path, pass.b);
+  close();
+  return made;
+}
+
+double FieldOptions::wrong_m2(const Window& window, const std::vector<Taken>& taken) const {
+  std::vector<FootprintM> straight, flown;
+  for (const std::size_t p : window.passes) {
+    const PassM& pass = passes_[p];
+    straight.push_back({{pass.a, pass.b}, pass.width_m / 2});
+    for (FootprintM& f : footprints(p, taken)) flown.push_back(std::move(f));
+  }
+  return area_in(window.lines, straight, window.circles, flown).sum_m2();
+}
+
+// Whether their windows meet, seen along the pass of `a`.
+bool FieldOptions::may_interplay(std::size_t a, std::size_t b) const {
+  const Window &one = windows_[a], &other = windows_[b];
+  if (norm(one.middle - other.middle) >= one.radius_m + other.radius_m) return false;
+  PointM low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
+  for (const double x : {other.lines.low_m, other.lines.high_m}) {
+    for (const double y : {-other.aside_m, other.aside_m}) {
+      const PointM corner = other.lines.origin + other.lines.frame.from({x, y});
+      const PointM seen = one.lines.frame.to(corner - one.lines.origin);
+      low = {std::min(low.x, seen.x), std::min(low.y, seen.y)};
+      high = {std::max(high.x, seen.x), std::max(high.y, seen.y)};
+    }
+  }
+  return low.x < one.lines.high_m && high.x > one.lines.low_m && low.y < one.aside_m &&
+         high.y > -one.aside_m;
+}
+
+std::optional<Interplay> FieldOptions::interplay(std::size_t a, std::size_t b) const {
+  const Window& window = windows_[a];
+  const auto options_a = crowds_[a].crowd.options.size(),
+             options_b = crowds_[b].crowd.options.size();
+  const double none_m2 = wrong_m2(window, {});
+  std::vector<double> only_b;
+  for (std::size_t ob = 0; ob < options_b; ++ob) only_b.push_back(wrong_m2(window, {{b, ob}}));
+  Interplay made{a, b, {}};
+  bool matters = false;
+  for (std::size_t oa = 0; oa < options_a; ++oa) {
+    const double only_a_m2 = wrong_m2(window, {{a, oa}});
+    for (std::size_t ob = 0; ob < options_b; ++ob) {
+      const double both_m2 = wrong_m2(window, {{a, oa}, {b, ob}});
+      const double more_m2 = both_m2 - only_a_m2 - only_b[ob] + none_m2;
+      matters = matters || std::abs(more_m2) > nothing_m2;
+      made.wrong_m2.push_back(more_m2);
+    }
+  }
+  if (!matters) return std::nullopt;
+  return made;
+}
+
+SelectionProblem FieldOptions::problem(double length_weight, double area_weight) const {
+  SelectionProblem made{.crowds = {},
+                        .interplays = {},
+                        .straight_m = 0,
+                        .planned_m2 = 0,
+                        .length_weight = length_weight,
+                        .area_weight = area_weight};
+  for (const PassM& pass : passes_) {
+    made.straight_m += pass.length_m();
+    made.planned_m2 += pass.length_m() * pass.width_m;
+  }
+  for (std::size_t c = 0; c < crowds_.size(); ++c) {
+    const double half_m = passes_[crowds_[c].pass].width_m / 2;
+    const double none_m2 = wrong_m2(windows_[c], {});
+    std::vector<OptionCost>& costs = made.crowds.emplace_back();
+    for (std::size_t o = 0; o < crowds_[c].crowd.options.size(); ++o) {
+      const CrowdOption& option = crowds_[c].crowd.options[o];
+      double wrong = wrong_m2(windows_[c], {{c, o}}) - none_m2;
+      if (option.conduct == Conduct::sprayed) wrong += backswept_of(option.curve, half_m);
+      costs.push_back({option.extra_m, wrong});
+    }
+  }
+  for (std::size_t a = 0; a < crowds_.size(); ++a) {
+    for (std::size_t b = a + 1; b < crowds_.size(); ++b) {
+      if (!may_interplay(a, b)) continue;
+      if (auto shared = interplay(a, b)) made.interplays.push_back(std::move(*shared));
+    }
+  }
+  return made;
+}
+
+std::vector<FootprintM> FieldOptions::flown(std::size_t pass, const Selection& chosen) const {
+  std::vector<Taken> taken;
+  for (std::size_t c = 0; c < crowds_.size(); ++c) {
+    if (crowds_[c].pass == pass) taken.push_back({c, chosen[c]});
+  }
+  return footprints(pass, taken);
+}
+
+std::vector<FootprintM> FieldOptions::straight() const {
+  std::vector<FootprintM> made;
+  for (const PassM& pass : passes_) made.push_back({{pass.a, pass.b}, pass.width_m / 2});
+  return made;
+}
+
+double FieldOptions::backswept_m2(const Selection& chosen) const {
+  double sum = 0;
+  for (std::size_t c = 0; c < crowds_.size(); ++c) {
+    const CrowdOption& option = crowds_[c].crowd.options[chosen[c]];
+    if (option.conduct != Conduct::sprayed) continue;
+    sum += backswept_of(option.curve, passes_[crowds_[c].pass].width_m / 2);
+  }
+  return sum;
+}
+
+}  // namespace furrow::planner

@@ -1,0 +1,212 @@
+#include "planner/avoidance/field_plan.hpp"
+
+#include "core/require.hpp"
+#include "planner/avoidance/classic.hpp"
+#include "planner/avoidance/field_options.hpp"
+#include "planner/avoidance/genetic.hpp"
+#include "planner/coverage/swath/inset.hpp"
+
+#include <algorithm>
+
+namespace furrow::planner {
+namespace {
+
+PointM plane(FieldPoint p) { return {p.x.base(), p.y.base()}; }
+FieldPoint place(PointM p) { return at_m(p.x, p.y); }
+
+std::vector<PassM> passes_of(const std::vector<StraightStrip>& strips) {
+  std::vector<PassM> passes;
+  for (const StraightStrip& s : strips) {
+    passes.push_back({plane(s.from), plane(s.to), s.width.base()});
+    require(passes.back().length_m() > 0 && s.width > Length{}, "a strip has length and width");
+  }
+  return passes;
+}
+
+// The part of `problem` that lies on one pass: its crowds are `first` to before `last`.
+SelectionProblem on_pass(const SelectionProblem& problem, std::size_t first, std::size_t last) {
+  SelectionProblem made = problem;
+  made.crowds.assign(problem.crowds.begin() + static_cast<std::ptrdiff_t>(first),
+                     problem.crowds.begin() + static_cast<std::ptrdiff_t>(last));
+  made.interplays.clear();
+  for (Interplay i : problem.interplays) {
+    if (i.first < first || i.second >= last) continue;
+    i.first -= first;
+    i.second -= first;
+    made.interplays.push_back(std::move(i));
+  }
+  return made;
+}
+
+double selections(const SelectionProblem& p) {
+  double product = 1;
+  for (const auto& options : p.crowds) product *= static_cast<double>(options.size());
+  return product;
+}
+
+GeneticSettings genetic_settings(const AvoidanceSettings& s, std::uint64_t purpose) {
+  return {.population = s.population,
+          .iterations = s.iterations,
+          .target_fitness = s.target_fitness,
+          .seed = s.seed ^ purpose};
+}
+
+// Pass by pass; where a population would hold every selection, the best of all.
+Selection pass_by_pass(const FieldOptions& field, const SelectionProblem& problem,
+                       const AvoidanceSettings& s) {
+  Selection made;
+  const auto& crowds = field.crowds();
+  for (std::size_t first = 0; first < crowds.size();) {
+    std::size_t last = first;
+    while (last < crowds.size() && crowds[last].pass == crowds[first].pass) ++last;
+    SelectionProblem part = on_pass(problem, first, last);
+    std::optional<Selection> best;
+    if (selections(part) <= s.population) best = exact_selection(part);
+    if (!best) {
+      part.straight_m = field.passes()[crowds[first].pass].length_m();
+      part.planned_m2 = part.straight_m * field.passes()[crowds[first].pass].width_m;
+      best = genetic_selection(part, genetic_settings(s, crowds[first].pass + 1)).best;
+    }
+    made.insert(made.end(), best->begin(), best->end());
+    first = last;
+  }
+  return made;
+}
+
+Selection always_closed(const FieldOptions& field) {
+  Selection made;
+  for (const PlacedCrowd& placed : field.crowds()) {
+    std::uint16_t choice = 0;
+    for (std::uint16_t o = 0; o < placed.crowd.options.size(); ++o) {
+      if (placed.crowd.options[o].conduct != Conduct::sprayed) choice = o;
+    }
+    made.push_back(choice);
+  }
+  return made;
+}
+
+Selection selected(const FieldOptions& field, const SelectionProblem& problem,
+                   const AvoidanceSettings& s, AvoidanceFigures& figures) {
+  if (s.method == AvoidanceMethod::split) return always_closed(field);
+  if (s.method == AvoidanceMethod::exact) {
+    if (auto best = exact_selection(problem)) {
+      figures.exact = true;
+      return *best;
+    }
+  }
+  const GeneticResult found =
+      genetic_selection(problem, genetic_settings(s, 0), {pass_by_pass(field, problem, s)});
+  figures.iterations = found.iterations;
+  return found.best;
+}
+
+// Appends to the last stretch where that has the same valve and ends here.
+void append(AvoidedStrip& strip, bool spraying, const PathM& path) {
+  constexpr double same_m = 1e-6;
+  if (path.size() < 2 || length_m(path) <= same_m) return;
+  const bool goes_on = !strip.stretches.empty() && strip.stretches.back().spraying == spraying &&
+                       norm(plane(strip.stretches.back().line.back()) - path.front()) <= same_m;
+  if (!goes_on) strip.stretches.push_back({spraying, {place(path.front())}});
+  std::vector<FieldPoint>& line = strip.stretches.back().line;
+  for (std::size_t i = 1; i < path.size(); ++i) line.push_back(place(path[i]));
+}
+
+AvoidedStrip strip_around(const FieldOptions& field, std::size_t p, const Selection& chosen) {
+  const PassM& pass = field.passes()[p];
+  const auto along = [&](double at_m) {
+    return pass.a + (at_m / pass.length_m()) * (pass.b - pass.a);
+  };
+  AvoidedStrip strip;
+  PointM at = pass.a;
+  for (std::size_t c = 0; c < field.crowds().size(); ++c) {
+    if (field.crowds()[c].pass != p) continue;
+    const CrowdOption& option = field.crowds()[c].crowd.options[chosen[c]];
+    append(strip, true, {at, along(option.low_m)});
+    if (option.conduct != Conduct::apart) {
+      PathM path = tangent_path(option.curve, corner_rad);
+      path.front() = along(option.low_m);
+      path.back() = along(option.high_m);
+      append(strip, option.conduct == Conduct::sprayed, path);
+    }
+    at = along(option.high_m);
+  }
+  append(strip, true, {at, pass.b});
+  return strip;
+}
+
+void set_areas(AvoidanceFigures& figures, const FieldOptions& field, const Room& room,
+               const std::vector<FootprintM>& flown, double backswept_m2) {
+  const WrongArea area = area_of(field.straight(), room.circles(), flown);
+  figures.missed = square_metres(area.missed_m2);
+  figures.repeated = square_metres(area.repeated_m2 + backswept_m2);
+}
+
+AvoidancePlan classic_plan(const FieldOptions& field, const Room& room, AvoidanceFigures figures) {
+  AvoidancePlan plan{{}, figures};
+  std::vector<FootprintM> flown;
+  for (const PassM& pass : field.passes()) {
+    PathM path = classic_path(pass, targets_of(pass, room), ClassicSide::left);
+    plan.figures.extra += metres(length_m(path) - pass.length_m());
+    append(plan.strips.emplace_back(), true, path);
+    flown.push_back({std::move(path), pass.width_m / 2});
+  }
+  plan.figures.detours = plan.figures.crowds;
+  set_areas(plan.figures, field, room, flown, 0);
+  return plan;
+}
+
+}  // namespace
+
+Expected<Room, PlanError> room_of(const Field& field, Length margin, Length hole_buffer,
+                                  Length safety) {
+  Field ground = field;
+  ground.obstacles.clear();
+  auto land = field_land(ground, margin, hole_buffer);
+  if (!land) return Unexpected{land.error()};
+  for (LandPart& part : land->flight) {
+    for (PointM& p : part.outer) p = p + land->origin;
+    for (RingM& hole : part.holes) {
+      for (PointM& p : hole) p = p + land->origin;
+    }
+  }
+  std::vector<CircleM> circles;
+  for (const Obstacle& o : field.obstacles) {
+    circles.push_back({plane(o.center), (o.radius + safety).base()});
+  }
+  return Room{std::move(circles), {}, land->flight};
+}
+
+AvoidancePlan plan_avoidance(const std::vector<StraightStrip>& strips, const Room& room,
+                             const AvoidanceSettings& s) {
+  const FieldOptions field{passes_of(strips), room, s.turn_radius.base()};
+  AvoidanceFigures figures;
+  figures.targets = field.targets();
+  figures.crowds = field.crowds().size();
+  for (const PassM& pass : field.passes()) figures.straight += metres(pass.length_m());
+  if (s.method == AvoidanceMethod::classic) return classic_plan(field, room, figures);
+
+  AvoidancePlan plan;
+  Selection chosen;
+  if (!strips.empty()) {
+    const SelectionProblem problem = field.problem(s.length_weight, s.area_weight);
+    chosen = selected(field, problem, s, figures);
+    figures.fitness = fitness(problem, chosen);
+  }
+  std::vector<FootprintM> flown;
+  for (std::size_t p = 0; p < strips.size(); ++p) {
+    plan.strips.push_back(strip_around(field, p, chosen));
+    for (FootprintM& f : field.flown(p, chosen)) flown.push_back(std::move(f));
+  }
+  for (std::size_t c = 0; c < chosen.size(); ++c) {
+    const CrowdOption& option = field.crowds()[c].crowd.options[chosen[c]];
+    figures.extra += metres(option.extra_m);
+    ++(option.conduct == Conduct::sprayed  ? figures.detours
+       : option.conduct == Conduct::closed ? figures.closed
+                                           : figures.apart);
+  }
+  set_areas(figures, field, room, flown, field.backswept_m2(chosen));
+  plan.figures = figures;
+  return plan;
+}
+
+}  // namespace furrow::planner

@@ -1,0 +1,77 @@
+#pragma once
+// The door to planned avoidance: straight strips in, strips around obstacles out.
+
+#include "core/expected.hpp"
+#include "core/field.hpp"
+#include "planner/avoidance/room.hpp"
+#include "planner/plan_error.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace furrow::planner {
+
+enum class AvoidanceMethod {
+  genetic,  ///< Side or split for each crowd by genetic search, per pass and then for all.
+  exact,    ///< The same by enumeration; genetic where a group of crowds is too large for it.
+  classic,  ///< Half circles on the left, the yardstick; neither clearance nor flyable.
+  split,    ///< The valve always closed on the way around.
+};
+
+struct AvoidanceSettings {
+  AvoidanceMethod method = AvoidanceMethod::genetic;
+  Length turn_radius;                             ///< R_z > 0.
+  double length_weight = 0.5, area_weight = 0.5;  ///< Of fitness, >= 0.
+  std::uint32_t population = 60, iterations = 200;
+  double target_fitness = 0;
+  std::uint64_t seed = 0;
+};
+
+/// The room of a field: inside boundary and holes, clear of obstacles.
+///
+/// @param margin  From boundary and holes, >= 0.
+/// @param safety  From obstacles, >= 0.
+/// @error  As `field_land`.
+Expected<Room, PlanError> room_of(const Field& field, Length margin, Length hole_buffer,
+                                  Length safety);
+
+/// A straight strip to spray.
+struct StraightStrip {
+  FieldPoint from, to;
+  Length width;  ///< > 0.
+};
+
+/// A part of a strip as flown. Stretches follow one another without a gap, except where two
+/// sprayed ones meet: there the strip is apart, and a ferry must join it.
+struct Stretch {
+  bool spraying;
+  std::vector<FieldPoint> line;  ///< At least two places; arcs as corners of tangents.
+};
+
+struct AvoidedStrip {
+  std::vector<Stretch> stretches;  ///< None where obstacles leave nothing of the strip.
+};
+
+struct AvoidanceFigures {
+  std::size_t targets = 0;  ///< Obstacles that straight strips cross, counted for each strip.
+  std::size_t crowds = 0;   ///< Groups of them that are passed together; of these:
+  std::size_t detours = 0, closed = 0, apart = 0;
+  Length straight{}, extra{};    ///< Of all strips; of all ways around.
+  Area missed{}, repeated{};     ///< By union of footprints, outside obstacle circles.
+  double fitness = 0;            ///< As searched, with the areas of the search.
+  bool exact = false;            ///< Whether no selection of the same options is fitter.
+  std::uint32_t iterations = 0;  ///< Generations for the whole field.
+};
+
+struct AvoidancePlan {
+  std::vector<AvoidedStrip> strips;  ///< One for each strip given.
+  AvoidanceFigures figures;
+};
+
+/// Leads strips around the obstacles of `room`.
+///
+/// Cost: some 0.1 ms for each target and option, and the search.
+AvoidancePlan plan_avoidance(const std::vector<StraightStrip>& strips, const Room& room,
+                             const AvoidanceSettings& settings);
+
+}  // namespace furrow::planner

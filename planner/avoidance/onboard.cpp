@@ -1,0 +1,99 @@
+#include "planner/avoidance/onboard.hpp"
+
+#include "core/require.hpp"
+#include "planner/avoidance/field_options.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace furrow::planner {
+namespace {
+
+constexpr double on_line_m = 1e-6, on_line_rad = 1e-6;
+
+PointM plane(FieldPoint p) { return {p.x.base(), p.y.base()}; }
+
+// Onto the line, one to four turn radii ahead: the first way that is no loop and is free.
+std::optional<CurveM> joined(const OnboardLine& line, PointM foot, RowFrame frame, const Room& room,
+                             Length turn_radius) {
+  const double heading = std::atan2(frame.sine, frame.cosine);
+  for (int radii = 1; radii <= 4; ++radii) {
+    const double ahead_m = radii * turn_radius.base();
+    const PointM at = foot + frame.from({ahead_m, 0});
+    const CurveM curve = dubins_curve(line.pose, {at_m(at.x, at.y), heading}, turn_radius);
+    const double straight_m = norm(at - plane(line.pose.at));
+    if (length_m(curve) < 1.5 * straight_m && room.is_free(tangent_path(curve, corner_rad))) {
+      return curve;
+    }
+  }
+  return std::nullopt;
+}
+
+// Both neighbours of a pass as they would be planned.
+std::vector<PassM> with_neighbours(const PassM& pass) {
+  const RowFrame frame = RowFrame::along(pass.b - pass.a);
+  const PointM aside = frame.from({0, pass.width_m});
+  return {pass,
+          {pass.a + aside, pass.b + aside, pass.width_m},
+          {pass.a - aside, pass.b - aside, pass.width_m}};
+}
+
+const CrowdOption* best_option(const Crowd& crowd, const PassM& pass, const Room& room) {
+  const std::vector<PassM> passes = with_neighbours(pass);
+  const CrowdOption* best = nullptr;
+  double least = INFINITY;
+  for (const CrowdOption& option : crowd.options) {
+    if (option.conduct != Conduct::sprayed) continue;
+    const double cost = option.extra_m / pass.length_m() +
+                        wrong_alone_m2(passes, option, room) / (pass.length_m() * pass.width_m);
+    if (cost < least) {
+      least = cost;
+      best = &option;
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+Expected<OnboardDetour, NoDetour> onboard_detour(const OnboardLine& line, const Room& room,
+                                                 Length turn_radius) {
+  const PointM from = plane(line.from), to = plane(line.to), here = plane(line.pose.at);
+  require(norm(to - from) > 0 && line.swath > Length{}, "a line has length and width");
+  const RowFrame frame = RowFrame::along(to - from);
+  const PointM seen = frame.to(here - from);
+  PointM foot = from + frame.from({seen.x, 0});
+  const double left_m = norm(to - from) - seen.x;
+  if (left_m <= on_line_m || room.is_clear({foot, to})) {
+    return Unexpected{NoDetour::nothing_ahead};
+  }
+
+  OnboardDetour made{{line.pose.at}, {}, Side::left};
+  const double askew = wrapped_rad(line.pose.heading_rad - std::atan2(frame.sine, frame.cosine));
+  if (std::abs(seen.y) > on_line_m || std::abs(askew) > on_line_rad) {
+    const auto joint = joined(line, foot, frame, room, turn_radius);
+    if (!joint) return Unexpected{NoDetour::too_late};
+    for (const PointM p : tangent_path(*joint, corner_rad)) made.way.push_back(at_m(p.x, p.y));
+    made.length += metres(length_m(*joint));
+    foot = end_pose(*joint).at;
+  }
+  const PassM pass{foot, to, line.swath.base()};
+  if (dot(to - foot, to - from) <= 0) return Unexpected{NoDetour::no_room};
+  const auto targets = targets_of(pass, room);
+  if (targets.empty()) return Unexpected{NoDetour::nothing_ahead};
+  const Crowd crowd = crowds_of(pass, targets, room, turn_radius.base()).front();
+  const CrowdOption* best = best_option(crowd, pass, room);
+  if (!best) {
+    const bool is_late = crowd.options.front().low_m <= on_line_m;
+    return Unexpected{is_late ? NoDetour::too_late : NoDetour::no_room};
+  }
+  const PathM around = tangent_path(best->curve, corner_rad);
+  for (const PointM p : around) made.way.push_back(at_m(p.x, p.y));
+  made.length += metres(best->low_m + length_m(best->curve));
+  made.side = best->sides.front();
+  const auto same = [](FieldPoint a, FieldPoint b) { return distance(a, b) < metres(1e-6); };
+  made.way.erase(std::unique(made.way.begin(), made.way.end(), same), made.way.end());
+  return made;
+}
+
+}  // namespace furrow::planner

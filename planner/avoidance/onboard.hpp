@@ -1,0 +1,55 @@
+#pragma once
+// What an aircraft decides by itself when it meets an obstacle that no plan knew.
+
+#include "core/expected.hpp"
+#include "planner/avoidance/crowd.hpp"
+#include "planner/avoidance/dubins.hpp"
+#include "planner/avoidance/room.hpp"
+
+#include <string_view>
+#include <vector>
+
+namespace furrow::planner {
+
+/// The straight line that is being flown, and from where.
+struct OnboardLine {
+  Pose pose;        ///< Of the aircraft.
+  FieldPoint from;  ///< Anywhere on the line behind.
+  FieldPoint to;    ///< Its end.
+  Length swath;     ///< > 0.
+};
+
+struct OnboardDetour {
+  std::vector<FieldPoint> way;  ///< From the aircraft to the line behind the obstacles.
+  Length length;                ///< Along the arcs.
+  Side side;                    ///< On which the first of them is passed.
+};
+
+/// Why there is none.
+enum class NoDetour {
+  nothing_ahead,  ///< The line ahead is clear.
+  too_late,       ///< Too near for a turn.
+  no_room,        ///< Neither side is free, or the line ends too soon behind.
+};
+
+constexpr std::string_view name(NoDetour why) {
+  switch (why) {
+    case NoDetour::nothing_ahead: return "nothing_ahead";
+    case NoDetour::too_late: return "too_late";
+    case NoDetour::no_room: return "no_room";
+  }
+  return "unknown";
+}
+
+/// The way around the first obstacles ahead, valve open, and back to the line: of the sides that
+/// are free the one of least length and missed and repeated area, neighbours taken to be straight.
+/// An aircraft beside its line or askew joins it first.
+///
+/// @param room         Holds the obstacles known, the new one among them, with safety distance.
+/// @param turn_radius  > 0.
+///
+/// Cost: below 1 ms for a few obstacles.
+Expected<OnboardDetour, NoDetour> onboard_detour(const OnboardLine& line, const Room& room,
+                                                 Length turn_radius);
+
+}  // namespace furrow::planner
