@@ -229,6 +229,7 @@ std::vector<Crowd> crowds_of(const PassM& pass, const std::vector<TargetM>& targ
     for (Group& group : groups) {
       if (!group.options.empty()) continue;
       std::vector<TargetM> members;
+      members.reserve(group.members.size());
       for (const std::size_t i : group.members) members.push_back(targets[i]);
       group.options = options_of(line, members);
       const AlongLine reach = span_of(group.options);

@@ -76,11 +76,11 @@ Selection pass_by_pass(const FieldOptions& field, const SelectionProblem& proble
 Selection always_closed(const FieldOptions& field) {
   Selection made;
   for (const PlacedCrowd& placed : field.crowds()) {
-    std::uint16_t choice = 0;
-    for (std::uint16_t o = 0; o < placed.crowd.options.size(); ++o) {
+    std::size_t choice = 0;
+    for (std::size_t o = 0; o < placed.crowd.options.size(); ++o) {
       if (placed.crowd.options[o].conduct != Conduct::sprayed) choice = o;
     }
-    made.push_back(choice);
+    made.push_back(static_cast<std::uint16_t>(choice));
   }
   return made;
 }

@@ -13,7 +13,7 @@ struct Member {
   double fitness;
 };
 
-constexpr std::size_t elders = 2;  // live on unchanged
+constexpr std::ptrdiff_t elders = 2;  // live on unchanged
 constexpr int tournament = 3;
 
 std::uint16_t drawn_option(const SelectionProblem& p, std::size_t crowd, Random& random) {
@@ -68,8 +68,7 @@ GeneticResult genetic_selection(const SelectionProblem& p, const GeneticSettings
 
   std::uint32_t made = 0;
   while (made < s.iterations && population.front().fitness > s.target_fitness) {
-    std::vector<Member> next(population.begin(),
-                             population.begin() + std::min(elders, population.size()));
+    std::vector<Member> next(population.begin(), population.begin() + elders);
     while (next.size() < population.size()) {
       const Member& a = parent(population, random);
       const Member& b = parent(population, random);

@@ -156,8 +156,10 @@ Selection greedy_selection(const SelectionProblem& p) {
   const Price price = price_of(p);
   Selection made(p.crowds.size(), 0);
   for (std::size_t i = 0; i < made.size(); ++i) {
-    for (std::uint16_t o = 1; o < p.crowds[i].size(); ++o) {
-      if (own_cost(p, price, i, o) < own_cost(p, price, i, made[i])) made[i] = o;
+    for (std::size_t o = 1; o < p.crowds[i].size(); ++o) {
+      if (own_cost(p, price, i, o) < own_cost(p, price, i, made[i])) {
+        made[i] = static_cast<std::uint16_t>(o);
+      }
     }
   }
   return made;
