@@ -239,6 +239,7 @@ std::vector<Crowd> crowds_of(const PassM& pass, const std::vector<TargetM>& targ
     }
   }
   std::vector<Crowd> crowds;
+  crowds.reserve(groups.size());
   for (Group& group : groups) crowds.push_back({group.members, std::move(group.options)});
   return crowds;
 }
