@@ -24,9 +24,10 @@ bool AgentNode::is_airborne() const {
 
 void AgentNode::fly_one_period(Instant t) {
   last_tick_ = t;
+  truth_before_m_ = aircraft_.truth_m();
   aircraft_.fly(stop_m_);
   if (route_piece_ < route_->pieces.size()) work(t);
-  if (t == on_grid(t, whole_second)) log_.point(t, aircraft_, is_valve_open_);
+  if (t == on_grid(t, whole_second)) log_.point(t, aircraft_.truth_m(), is_valve_open_);
   if (aircraft_.stores.pack_share <= 0.0) return fall(t);
   if (phase_ != Phase::fly_back) watch_stores(t);
   // What blew it off its line may not let it hover either.
@@ -51,13 +52,18 @@ void AgentNode::work(Instant t) {
   if (is_valve_open_ && reached_m > piece.from_m && aircraft_.pilot().segment().is_straight()) {
     log_.sample(piece.piece, aircraft_);
   }
+  const double before_m = progress_m_, close_m = std::min(piece.close_m, stop_m_);
   pass_cells(reached_m, t);
   progress_m_ = reached_m;
 
   const bool is_on_piece =
       route_piece_ < route_->pieces.size() && reached_m >= route_->pieces[route_piece_].open_m;
   const bool is_open = is_on_piece && reached_m < stop_m_;
-  if (is_open != is_valve_open_) move_valve(is_open, t);
+  if (is_open != is_valve_open_) {
+    const double at_m = is_open ? route_->pieces[route_piece_].open_m : close_m;
+    const double moved_m = reached_m - before_m;
+    move_valve(is_open, t, moved_m > 0.0 ? std::clamp((at_m - before_m) / moved_m, 0.0, 1.0) : 1.0);
+  }
   if (phase_ == Phase::fly_back) flush_flight_log();
 }
 
@@ -121,9 +127,13 @@ void AgentNode::expect_next_cell() {
   next_cell_m_ = is_on_tail() ? no_stop : route_->cell_m(route_piece_, route_cell_);
 }
 
-void AgentNode::move_valve(bool open, Instant t) {
+// The flow controller opens and closes at the place, not at the tick after it.
+void AgentNode::move_valve(bool open, Instant t, double share_of_period) {
   is_valve_open_ = open;
-  if (t != on_grid(t, whole_second)) log_.point(t, aircraft_, open);
+  const double left = 1.0 - share_of_period;
+  const Xy now_m = aircraft_.truth_m();
+  log_.point(t - duration(seconds(left * control_period_s)),
+             now_m + left * (truth_before_m_ - now_m), open);
 }
 
 // Sprayed is what lies within half a swath of the line: beyond it the mix falls on other strips.
@@ -160,19 +170,31 @@ void AgentNode::return_to_line(Instant t) {
 void AgentNode::watch_stores(Instant t) {
   const bool must_go_home = leaving_ && *leaving_ != CloseReason::superseded;
   if (must_go_home) return;
-  const double home_m = norm(xy_m(home_.position) - aircraft_.estimate_m());
-  const double brake_s =
-      2.0 * aircraft_.pilot().pace().speed_mps() / planned_acceleration_mps2(vehicle_);
-  const double need_s = straight_way_s(home_m, vehicle_) + brake_s + way_home_slack_s;
-  if (aircraft_.stores.flight_left_s(vehicle_) < need_s) {
-    return leave(CloseReason::battery_low, t);
-  }
+  if (!reaches_home()) return leave(CloseReason::battery_low, t);
   if (leaving_ || route_piece_ >= route_->pieces.size()) return;
 
   const double tank_m = aircraft_.stores.spray_left_m(vehicle_) + tank_slack_m;
   const double next_m =
       aircraft_.pilot().pace().braking_m() + 2.0 * route_->pieces[route_piece_].spacing_m + hover_m;
   if (tank_m < spray_left_m_ && tank_m < next_m) leave(CloseReason::tank_low, t);
+}
+
+// The way home is looked up only where the last one and the way since do not answer.
+bool AgentNode::reaches_home() {
+  const double brake_s =
+      2.0 * aircraft_.pilot().pace().speed_mps() / planned_acceleration_mps2(vehicle_);
+  const Xy here = aircraft_.estimate_m();
+  const auto suffices = [&](double home_m) {
+    const double need_s = straight_way_s(home_m, vehicle_) + brake_s + way_home_slack_s;
+    return aircraft_.stores.flight_left_s(vehicle_) >= need_s;
+  };
+  if (way_home_ && way_home_->station == home_.id &&
+      suffices(way_home_->length_m + norm(here - way_home_->from))) {
+    return true;
+  }
+  const Length length = settings_.ferries.length(field_point(here), home_.position);
+  way_home_ = {home_.id, here, length.base()};
+  return suffices(way_home_->length_m);
 }
 
 void AgentNode::leave(CloseReason reason, Instant t) {
@@ -244,7 +266,8 @@ void AgentNode::fly_home(Instant t) {
   flush_flight_log();
   sortie_.spray_ended = t;
   sortie_.returned_at = field_point(aircraft_.estimate_m());
-  follow(sortie_route(aircraft_.estimate_m(), {}, xy_m(home_.position), vehicle_));
+  follow(
+      sortie_route(aircraft_.estimate_m(), {}, xy_m(home_.position), vehicle_, settings_.ferries));
   phase_ = Phase::fly_back;
   stop_m_ = no_stop;
 }
@@ -267,7 +290,8 @@ void AgentNode::relicense() {
   if (route_->pieces.empty()) {  // hovers without a way: a new order came
     const auto rest = order_->rest_of_sortie();
     home_ = station(order_->station());
-    follow(sortie_route(aircraft_.estimate_m(), rest, xy_m(home_.position), vehicle_));
+    follow(sortie_route(aircraft_.estimate_m(), rest, xy_m(home_.position), vehicle_,
+                        settings_.ferries));
   }
   const std::uint32_t licensed = ledger_.licensed_to(order_->next_cell());
   stop_m_ = no_stop;

@@ -91,7 +91,8 @@ void AgentNode::prepare(Instant t) {
 AgentNode::Demand AgentNode::demand() const {
   const auto rest = order_->rest_of_sortie();
   const Xy next_home = xy_m(station(order_->station()).position);
-  const auto route = sortie_route(aircraft_.estimate_m(), rest, next_home, vehicle_);
+  const auto route =
+      sortie_route(aircraft_.estimate_m(), rest, next_home, vehicle_, settings_.ferries);
 
   const double tank = aircraft_.stores.tank_share;
   const double share = std::min(1.0, route.spray_m / tank_range(vehicle_).base());
@@ -135,9 +136,10 @@ bool AgentNode::is_licensed() const {
 void AgentNode::try_take_off(Instant t) {
   const auto rest = order_->rest_of_sortie();
   home_ = station(order_->station());
-  const Xy entry = xy_m(rest.front().entry), back = xy_m(home_.position);
-  const double there_and_back_s = straight_way_s(norm(entry - aircraft_.estimate_m()), vehicle_) +
-                                  straight_way_s(norm(back - entry), vehicle_);
+  const FieldPoint here = field_point(aircraft_.estimate_m()), entry = rest.front().entry;
+  const double there_and_back_s =
+      straight_way_s(settings_.ferries.length(here, entry).base(), vehicle_) +
+      straight_way_s(settings_.ferries.length(entry, home_.position).base(), vehicle_);
   if (there_and_back_s + forecast_slack_s > aircraft_.stores.flight_left_s(vehicle_)) {
     ledger_.close_all(CloseReason::battery_low, t);
     send_report(t);
@@ -145,7 +147,9 @@ void AgentNode::try_take_off(Instant t) {
     return acknowledge(AckStatus::failed, "cell " + std::to_string(order_->next_cell()) +
                                               " is out of reach of one pack");
   }
-  take_off(sortie_route(aircraft_.estimate_m(), rest, back, vehicle_), t);
+  take_off(
+      sortie_route(aircraft_.estimate_m(), rest, xy_m(home_.position), vehicle_, settings_.ferries),
+      t);
 }
 
 void AgentNode::take_off(SortieRoute route, Instant t) {
@@ -163,7 +167,7 @@ void AgentNode::take_off(SortieRoute route, Instant t) {
   aircraft_.take_off();
   follow(std::move(route));
   phase_ = Phase::fly_out;
-  log_.point(last_tick_, aircraft_, false);
+  log_.point(last_tick_, aircraft_.truth_m(), false);
   if (!is_running_) acknowledge(AckStatus::running);
   is_running_ = true;
   note("sortie_begun", "takes off for sortie " + std::to_string(sortie_.sortie + 1) + ", " +
@@ -173,7 +177,7 @@ void AgentNode::take_off(SortieRoute route, Instant t) {
 
 void AgentNode::land(Instant t) {
   aircraft_.land();
-  if (t != on_grid(t, whole_second)) log_.point(t, aircraft_, false);
+  if (t != on_grid(t, whole_second)) log_.point(t, aircraft_.truth_m(), false);
   flush_flight_log();
   sortie_.landed = t;
   sortie_.flight = seconds(t - sortie_.began);
@@ -198,7 +202,7 @@ void AgentNode::leave_fleet(Instant t) {
 // may be made to wait for this aircraft.
 void AgentNode::fall(Instant t) {
   is_valve_open_ = false;
-  log_.point(t, aircraft_, false);
+  log_.point(t, aircraft_.truth_m(), false);
   aircraft_.land();
   flush_flight_log();
   ledger_.close_all(CloseReason::battery_low, t);

@@ -51,11 +51,12 @@ class AgentNode {
   bool is_on_tail() const;
   void end_piece(Instant t);
   void expect_next_cell();
-  void move_valve(bool open, Instant t);
+  void move_valve(bool open, Instant t, double share_of_period = 1.0);
   bool is_off_line() const;
   void stray(Instant t);
   void return_to_line(Instant t);
   void watch_stores(Instant t);
+  bool reaches_home();
   void leave(CloseReason reason, Instant t);
   double leaving_stop_m() const;
   void come_to_rest(Instant t);
@@ -104,12 +105,19 @@ class AgentNode {
 
   // The flight under way.
   Instant last_tick_{};
+  Xy truth_before_m_{};  // at the tick before
   Station home_{};
   std::optional<SortieRoute> route_;
   std::size_t route_piece_ = 0;
   std::uint32_t route_cell_ = 0;  // in the piece
   double next_cell_m_ = 0.0, progress_m_ = 0.0, stop_m_ = 0.0, spray_left_m_ = 0.0;
   double flown_m_ = 0.0;  // on earlier routes of this sortie
+  struct WayHome {
+    StationId station;
+    Xy from;
+    double length_m;
+  };
+  std::optional<WayHome> way_home_;  // as last looked up
   bool is_valve_open_ = false;
   bool is_astray_ = false;  // stops with the valve closed, to return to its line
   int strays_ = 0;          // since the last cell

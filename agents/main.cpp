@@ -15,13 +15,15 @@ int main(int argc, char** argv) {
                             " (got " + std::to_string(options.first) + "-" +
                             std::to_string(options.last) + ")"};
         }
+        const auto ferries = scheduler::ferry_map(mission::fleet_problem(scenario));
+        if (!ferries) return Unexpected{ferries.error().detail};
         process::Nodes nodes;
         for (std::uint32_t number = options.first; number <= options.last; ++number) {
           const AgentId agent{number};
           const bool is_simulated = options.mode == mission::NodeOptions::Mode::granted;
           const BootId boot =
               is_simulated ? mission::first_boot(scenario, node(agent)) : options.boot;
-          nodes.emplace_back(node(agent), mission::agent_node(scenario, agent, boot));
+          nodes.emplace_back(node(agent), mission::agent_node(scenario, *ferries, agent, boot));
         }
         return nodes;
       });

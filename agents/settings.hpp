@@ -5,6 +5,7 @@
 #include "core/time.hpp"
 #include "core/vehicle.hpp"
 #include "core/weather.hpp"
+#include "planner/ferry/ferry_map.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -16,6 +17,7 @@ struct AgentSettings {
   Vehicle vehicle;
   std::vector<Station> stations;  ///< Those it may be sent to.
   Wind wind;                      ///< The same mean for all; its gusts are this aircraft's own.
+  planner::FerryMap ferries{};    ///< The fleet's, for ways of its own.
   std::uint64_t seed;             ///< Of the scenario.
   BootId boot;
   Duration info_period{2'000'000'000};      ///< Until a command arrives.

@@ -65,10 +65,12 @@ AnyNode supply_node(const Scenario& scenario, StationId station) {
                                      .terms = {.lease = scenario.agent_lease}}}};
 }
 
-AnyNode agent_node(const Scenario& scenario, AgentId agent, BootId boot) {
+AnyNode agent_node(const Scenario& scenario, const planner::FerryMap& ferries, AgentId agent,
+                   BootId boot) {
   return AnyNode{agents::AgentNode{{.vehicle = with_id(scenario.uavs, agent),
                                     .stations = scenario.stations,
                                     .wind = scenario.wind,
+                                    .ferries = ferries,
                                     .seed = scenario.seed,
                                     .boot = boot}}};
 }

@@ -21,6 +21,8 @@ AnyNode scheduler_node(const Scenario& scenario, const scheduler::FleetPlan& pla
 
 /// @pre The scenario has the station, or the agent.
 AnyNode supply_node(const Scenario& scenario, StationId station);
-AnyNode agent_node(const Scenario& scenario, AgentId agent, BootId boot);
+/// @param ferries  Of the scenario, as `scheduler::ferry_map` makes it and its plan holds it.
+AnyNode agent_node(const Scenario& scenario, const planner::FerryMap& ferries, AgentId agent,
+                   BootId boot);
 
 }  // namespace furrow::mission

@@ -28,8 +28,9 @@ Itinerary rough_itinerary(const Desk& desk, std::size_t uav, const Share& share)
   for (std::uint32_t s = 0; s < share.strips.count; ++s) growing.grow();
   const std::uint32_t first = desk.route.strips[share.strips.first].cells.first;
   const std::uint32_t stop = end(desk.route.strips[end(share.strips) - 1].cells);
-  const auto problem = planner::return_problem(desk.route, {first, stop - first}, vehicle,
-                                               desk.stations[share.station]);
+  const auto problem =
+      planner::return_problem(desk.route, {first, stop - first}, vehicle,
+                              desk.stations[share.station], desk.lengths.stations[share.station]);
   return itinerary(vehicle.id, share.station, planner::evaluated(problem, growing.returns()),
                    FlightTimes{desk.route, problem});
 }

@@ -125,43 +125,85 @@ SortieTimes Way::times(std::size_t sprayed_legs) {
 
 }  // namespace
 
-FieldPoint FlightTimes::Run::at(std::uint32_t cell) const {
-  if (first == last) return from;
-  const double share = static_cast<double>(cell - first) / (last - first);
-  return from + FieldVector{share * (to - from).x, share * (to - from).y};
-}
-
 FlightTimes::FlightTimes(const planner::Route& route, const planner::ReturnProblem& problem)
-    : vehicle_{problem.vehicle}, station_{problem.station.position} {
+    : vehicle_{problem.vehicle},
+      station_{problem.station.position},
+      ferries_{route.ferries},
+      back_m_{problem.back_m} {
   const std::uint32_t begin = problem.cells.first;
   for (const planner::Strip& strip : route.strips) {
     const std::uint32_t first = std::max(strip.cells.first, begin);
     const std::uint32_t stop = std::min(end(strip.cells), end(problem.cells));
     if (first >= stop) continue;
-    runs_.push_back({.first = first - begin,
-                     .last = stop - 1 - begin,
-                     .from = route.centers[first],
-                     .to = route.centers[stop - 1],
-                     .continues = strip.continues});
+    Run run{.first = first - begin,
+            .last = stop - 1 - begin,
+            .begin = planner::start_point(route, strip, first),
+            .stops = {},
+            .approach = strip.approach,
+            .continues = strip.continues};
+    for (std::uint32_t c = first; c < stop; ++c) {
+      run.stops.push_back(planner::stop_point(route, strip, c));
+    }
+    runs_.push_back(std::move(run));
   }
 }
 
+// Between the stop of a cell and the station, both left out; empty where it is straight.
+const FlightTimes::Places& FlightTimes::way_home(std::uint32_t cell, FieldPoint stop) const {
+  static const Places straight;
+  if (back_m_[cell] <= distance(stop, station_).base() + same_place_m) return straight;
+  const auto [known, is_new] = ways_home_.try_emplace(cell);
+  if (is_new) {
+    const Places way = ferries_.way(stop, station_);
+    known->second.assign(way.begin() + 1, way.end() - 1);
+  }
+  return known->second;
+}
+
+// To the beginning of the run that starts with `cell`, both ends left out.
+const FlightTimes::Places& FlightTimes::way_out(bool is_first, std::uint32_t cell,
+                                                FieldPoint begin) const {
+  const auto [known, is_new] = ways_out_.try_emplace({is_first, cell});
+  if (is_new) {
+    const Places way = ferries_.way(is_first ? vehicle_.home : station_, begin);
+    known->second.assign(way.begin() + 1, way.end() - 1);
+  }
+  return known->second;
+}
+
 SortieTimes FlightTimes::operator()(const planner::PlannedSortie& sortie, bool is_first) const {
-  Way way{is_first ? vehicle_.home : station_, vehicle_};
   auto run = std::partition_point(runs_.begin(), runs_.end(),
                                   [&](const Run& r) { return r.last < sortie.first; });
   // Work goes on from a cell sprayed before, unless a ferry follows it.
   const bool ferry_follows = !is_first && sortie.first == run->last && sortie.first < sortie.last &&
                              !std::next(run)->continues;
   if (ferry_follows) ++run;
-  way.add(run->at(std::max(sortie.first, run->first)), vehicle_.ferry_speed);
-  while (run->last < sortie.last) {
-    way.add(run->to, vehicle_.spray_speed);
-    ++run;
-    way.add(run->from, run->continues ? vehicle_.spray_speed : vehicle_.ferry_speed);
+  const bool begins_run = ferry_follows || (is_first && sortie.first <= run->first);
+  Way way{is_first ? vehicle_.home : station_, vehicle_};
+  if (begins_run) {
+    for (const FieldPoint at : way_out(is_first, run->first, run->begin)) {
+      way.add(at, vehicle_.ferry_speed);
+    }
+    way.add(run->begin, vehicle_.ferry_speed);
+  } else {
+    const std::uint32_t cell = std::max(sortie.first, run->first);
+    const Places& home = way_home(cell, run->stop(cell));
+    for (auto at = home.rbegin(); at != home.rend(); ++at) way.add(*at, vehicle_.ferry_speed);
+    way.add(run->stop(cell), vehicle_.ferry_speed);
   }
-  way.add(run->at(sortie.last), vehicle_.spray_speed);
+  while (run->last < sortie.last) {
+    way.add(run->stops.back(), vehicle_.spray_speed);
+    ++run;
+    if (!run->continues) {
+      for (const FieldPoint at : run->approach) way.add(at, vehicle_.ferry_speed);
+    }
+    way.add(run->begin, run->continues ? vehicle_.spray_speed : vehicle_.ferry_speed);
+  }
+  way.add(run->stop(sortie.last), vehicle_.spray_speed);
   const std::size_t sprayed_legs = way.legs();
+  for (const FieldPoint at : way_home(sortie.last, run->stop(sortie.last))) {
+    way.add(at, vehicle_.ferry_speed);
+  }
   way.add(station_, vehicle_.ferry_speed);
   return way.times(sprayed_legs);
 }

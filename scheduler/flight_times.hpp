@@ -3,6 +3,7 @@
 
 #include "planner/returns/problem.hpp"
 
+#include <map>
 #include <vector>
 
 namespace furrow::scheduler {
@@ -36,13 +37,25 @@ class FlightTimes {
  private:
   struct Run {                  ///< The part of a strip within the share.
     std::uint32_t first, last;  ///< Cells, indices into the share.
-    FieldPoint from, to;
+    FieldPoint begin;           ///< Where the valve opens before the first.
+    /// Where it closes after each cell.
+    std::vector<FieldPoint> stops;
+    std::vector<FieldPoint> approach;  ///< From the run before.
     bool continues;
-    FieldPoint at(std::uint32_t cell) const;
+    FieldPoint stop(std::uint32_t cell) const { return stops[cell - first]; }
   };
+
+  using Places = std::vector<FieldPoint>;
+  const Places& way_home(std::uint32_t cell, FieldPoint stop) const;
+  const Places& way_out(bool is_first, std::uint32_t cell, FieldPoint begin) const;
 
   Vehicle vehicle_;
   FieldPoint station_;
+  planner::FerryMap ferries_;
+  std::vector<double> back_m_;
+  // As asked for: by cell those that bend, and from home or station to the first cell of a run.
+  mutable std::map<std::uint32_t, Places> ways_home_{};
+  mutable std::map<std::pair<bool, std::uint32_t>, Places> ways_out_{};
   std::vector<Run> runs_{};
 };
 

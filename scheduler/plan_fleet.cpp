@@ -42,10 +42,11 @@ std::optional<PlanError> fleet_fault(const std::vector<Vehicle>& vehicles) {
   return std::nullopt;
 }
 
-Expected<Sketch, PlanError> sketch(const FleetProblem& problem,
+Expected<Sketch, PlanError> sketch(const FleetProblem& problem, const planner::FerryMap& ferries,
                                    const planner::CoverageModel& model) {
   auto coverage = planner::cover(problem.field, problem.vehicles.front().swath, model);
   if (!coverage) return Unexpected{coverage.error()};
+  coverage->route.ferries = ferries;
   RouteLengths lengths = route_lengths(coverage->route, problem.stations);
   Draft drafted = draft(coverage->route, lengths, problem.vehicles, problem.stations);
   return Sketch{std::move(*coverage), std::move(lengths), std::move(drafted)};
@@ -74,9 +75,11 @@ std::vector<planner::CoverageModel> candidates(const FleetProblem& problem) {
 /// The sketch with the smallest forecast makespan.
 Expected<Sketch, PlanError> best_sketch(const FleetProblem& problem) {
   const std::vector<planner::CoverageModel> models = candidates(problem);
-  auto best = sketch(problem, models.front());
+  const auto ferries = ferry_map(problem);
+  if (!ferries) return Unexpected{ferries.error()};
+  auto best = sketch(problem, *ferries, models.front());
   for (std::size_t i = 1; i < models.size(); ++i) {
-    auto other = sketch(problem, models[i]);
+    auto other = sketch(problem, *ferries, models[i]);
     if (!other) continue;
     const bool is_better =
         !best || other->draft.forecast.makespan_s < best->draft.forecast.makespan_s;
@@ -99,9 +102,9 @@ std::vector<FleetTask> tasks(const FleetProblem& problem, const Sketch& s,
     const Share& share = shares[u];
     FleetTask task{.agent = vehicle.id, .station = share.station, .problem = {}, .times = {}};
     if (share.strips.count > 0) {
-      task.problem =
-          planner::return_problem(s.coverage.route, cells_of(s.coverage.route, share.strips),
-                                  vehicle, problem.stations[share.station]);
+      task.problem = planner::return_problem(
+          s.coverage.route, cells_of(s.coverage.route, share.strips), vehicle,
+          problem.stations[share.station], s.lengths.stations[share.station]);
       task.times.emplace(s.coverage.route, *task.problem);
     }
     all.push_back(std::move(task));
@@ -166,6 +169,21 @@ double lower_bound_s(const FleetProblem& problem, const Sketch& s, const Solved&
 }
 
 }  // namespace
+
+Expected<planner::FerryMap, PlanError> ferry_map(const FleetProblem& problem) {
+  planner::FerryRule rule{.corner_cut = 0.5 * problem.vehicles.front().swath};
+  std::visit([&](const auto& settings) { rule.margin = settings.margin; }, problem.coverage);
+  if (const auto* swath = std::get_if<planner::SwathSettings>(&problem.coverage)) {
+    rule.hole_buffer = swath->hole_buffer;
+  }
+  std::vector<FieldPoint> stands;
+  const auto add = [&](FieldPoint at) {
+    if (std::find(stands.begin(), stands.end(), at) == stands.end()) stands.push_back(at);
+  };
+  for (const Station& station : problem.stations) add(station.position);
+  for (const Vehicle& vehicle : problem.vehicles) add(vehicle.home);
+  return planner::FerryMap::over(problem.field, rule, stands);
+}
 
 Expected<FleetPlan, PlanError> plan_fleet(const FleetProblem& problem) {
   require(!problem.vehicles.empty() && !problem.stations.empty(),

@@ -17,6 +17,10 @@ struct FleetProblem {
   planner::SolveSettings solver;             ///< Its budget is for the whole fleet.
 };
 
+/// The ways between all stations, homes and strips, at the distances that strips keep.
+/// @error  As planner::FerryMap::over.
+Expected<planner::FerryMap, planner::PlanError> ferry_map(const FleetProblem& problem);
+
 /// Plans the mission: covers the field, cuts the route into shares that are predicted to be done at
 /// the same time, gives each aircraft a station and chooses the return points.
 ///

@@ -38,10 +38,10 @@ RouteLengths route_lengths(const planner::Route& route, std::span<const Station>
   lengths.nearest_m.assign(route.centers.size(), std::numeric_limits<double>::infinity());
   for (const Station& station : stations) {
     std::vector<double>& home_m = lengths.home_m.emplace_back();
+    lengths.stations.push_back(planner::station_lengths(route, station.position));
+    const planner::StationLengths& ways = lengths.stations.back();
     for (std::size_t c = 0; c < stops.size(); ++c) {
-      const double trip_m = distance(stops[c].stop, station.position).base() +
-                            distance(stops[c].resume, station.position).base();
-      home_m.push_back(0.5 * (trip_m - stops[c].skipped_m));
+      home_m.push_back(0.5 * (ways.back_m[c] + ways.out_m[c] - stops[c].skipped_m));
       lengths.nearest_m[c] = std::min(lengths.nearest_m[c], home_m[c]);
     }
   }
@@ -58,7 +58,8 @@ Pace pace(const planner::Route& route, const Vehicle& vehicle, const Station& st
          .home_m = home_m,
          .out_s = {}};
   for (const planner::Strip& strip : route.strips) {
-    p.out_s.push_back((distance(vehicle.home, strip.begin) / vehicle.ferry_speed).base());
+    p.out_s.push_back(
+        (route.ferries.length(vehicle.home, strip.begin) / vehicle.ferry_speed).base());
   }
   return p;
 }
@@ -79,7 +80,8 @@ Pace fastest_pace(const planner::Route& route, std::span<const Vehicle> vehicles
   }
   for (std::size_t i = 0; i < route.strips.size(); ++i) {
     const auto closer = [&](FieldPoint from) {
-      const double out_s = distance(from, route.strips[i].begin).base() / best.ferry_mps;
+      const double out_s =
+          route.ferries.length(from, route.strips[i].begin).base() / best.ferry_mps;
       best.out_s[i] = std::min(best.out_s[i], out_s);
     };
     for (const Vehicle& v : vehicles) closer(v.home);

@@ -20,7 +20,8 @@ struct RouteLengths {
   /// By station: half of what a return after the cell adds to the way: to the station and to where
   /// spraying resumes, less the ferry that it replaces (see planner::CellStop).
   std::vector<std::vector<double>> home_m;
-  std::vector<double> nearest_m;  ///< The least of these.
+  std::vector<planner::StationLengths> stations;  ///< By station.
+  std::vector<double> nearest_m;                  ///< The least of these.
 };
 
 RouteLengths route_lengths(const planner::Route& route, std::span<const Station> stations);

@@ -12,7 +12,7 @@ MAY_INCLUDE = {
     "planner": {"core"},
     "supply": {"core"},
     "scheduler": {"core", "planner", "supply"},
-    "agents": {"core"},
+    "agents": {"core", "planner"},
     "idl": set(),
     "transport": {"core", "idl"},
     "sim": {"core", "planner", "supply", "scheduler", "agents"},

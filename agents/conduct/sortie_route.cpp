@@ -19,7 +19,8 @@ double SortieRoute::cell_m(std::size_t piece, std::uint32_t index) const {
   return path.along_m(p.from_leg_m + index * p.spacing_m);
 }
 
-SortieRoute sortie_route(Xy from_m, std::span<const Piece> pieces, Xy to_m, const Vehicle& v) {
+SortieRoute sortie_route(Xy from_m, std::span<const Piece> pieces, Xy to_m, const Vehicle& v,
+                         const planner::FerryMap& ferries) {
   const double ferry = v.ferry_speed.base(), spray = v.spray_speed.base();
   SortieRoute route{.path = Path{from_m,
                                  {.acceleration_mps2 = planned_acceleration_mps2(v),
@@ -27,6 +28,11 @@ SortieRoute sortie_route(Xy from_m, std::span<const Piece> pieces, Xy to_m, cons
                                   .min_radius_m = v.min_turn_radius.base()}},
                     .pieces = {},
                     .spray_m = 0.0};
+  const auto ferry_to = [&](FieldPoint from, FieldPoint to) {
+    const std::vector<FieldPoint> way = ferries.way(from, to);
+    for (std::size_t i = 1; i + 1 < way.size(); ++i) route.path.add(xy_m(way[i]), ferry);
+  };
+  if (!pieces.empty()) ferry_to(field_point(from_m), pieces.front().entry);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const Piece& piece = pieces[i];
     const bool continues =
@@ -45,6 +51,7 @@ SortieRoute sortie_route(Xy from_m, std::span<const Piece> pieces, Xy to_m, cons
       route.pieces.push_back({piece, open, close, from, spacing(piece), 0.0});
     }
   }
+  ferry_to(pieces.empty() ? field_point(from_m) : pieces.back().exit, field_point(to_m));
   route.path.add(to_m, ferry);
   route.path.finish();
   for (PieceOnPath& p : route.pieces) {  // known only now that corners are cut

@@ -3,6 +3,7 @@
 #include "agents/guidance/path.hpp"
 #include "core/vehicle.hpp"
 #include "core/work.hpp"
+#include "planner/ferry/ferry_map.hpp"
 
 #include <span>
 #include <vector>
@@ -33,7 +34,8 @@ struct SortieRoute {
 /// The route over `pieces`, which may be empty: then straight to `to`. Ferries are flown at ferry
 /// speed with the valve closed, by the pieces' approaches but for the first, corners cut by at most
 /// half a swath: so far inside a corner the path leaves the polyline, and nowhere else.
-SortieRoute sortie_route(Xy from_m, std::span<const Piece> pieces, Xy to_m, const Vehicle& vehicle);
+SortieRoute sortie_route(Xy from_m, std::span<const Piece> pieces, Xy to_m, const Vehicle& vehicle,
+                         const planner::FerryMap& ferries);
 
 /// Time for a straight way from rest to rest at ferry speed [s].
 double straight_way_s(double length_m, const Vehicle& vehicle);

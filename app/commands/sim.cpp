@@ -16,7 +16,8 @@ NodeHost whole_fleet(const mission::Scenario& scenario, const scheduler::FleetPl
   }
   for (const Vehicle& uav : scenario.uavs) {
     const NodeId id = node(uav.id);
-    add(id, mission::agent_node(scenario, uav.id, mission::first_boot(scenario, id)));
+    add(id, mission::agent_node(scenario, plan.route.ferries, uav.id,
+                                mission::first_boot(scenario, id)));
   }
   return host;
 }

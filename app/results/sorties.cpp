@@ -55,8 +55,8 @@ std::vector<SortieFigures> planned_sorties(const planner::Route& route,
     f.spray_ended_s = landed_s - s.fly_back_s;
     f.landed_s = landed_s;
     if (visit) {
-      f.round_trip_m = (distance(returned, uav.station.position) +
-                        distance(starts_after(s.last), uav.station.position))
+      f.round_trip_m = (route.ferries.length(returned, uav.station.position) +
+                        route.ferries.length(starts_after(s.last), uav.station.position))
                            .base();
       f.battery_swap_s = s.battery_swap_s;
       f.fill_s = s.fill_s;

@@ -37,7 +37,7 @@ Strip end_strip(CellRange cells, FieldPoint begin, FieldPoint end,
 
 Route end_to_end_route(Length cell, std::vector<Strip> strips) {
   require(!strips.empty() && cell > Length{}, "a route has a strip, a cell a length");
-  Route route{.cell = cell, .centers = {}, .strips = {}, .missed = {}};
+  Route route{.cell = cell, .centers = {}, .strips = {}, .missed = {}, .ferries = {}};
   std::uint32_t first = 0;
   for (Strip& s : strips) {
     const double cells = std::max(1.0, std::round(distance(s.begin, s.end) / cell));

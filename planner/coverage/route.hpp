@@ -2,6 +2,7 @@
 
 #include "core/geometry.hpp"
 #include "core/work.hpp"
+#include "planner/ferry/ferry_map.hpp"
 
 #include <vector>
 
@@ -46,6 +47,7 @@ struct Route {
   std::vector<FieldPoint> centers;  ///< N cells in the order flown, N >= 1.
   std::vector<Strip> strips;        ///< Contiguous, in order; together all N cells.
   std::vector<FieldPoint> missed;   ///< Centres of workable cells that the route leaves out.
+  FerryMap ferries{};               ///< The ways between stations and strips.
 };
 
 /// A route along `strips`, cells and centres filled in: each strip is divided into as many equal

@@ -25,11 +25,11 @@ struct ReturnProblem {
   std::vector<double> spray_m;     ///< Sprayed distance from the beginning to stop i.
   std::vector<double> on_route_s;  ///< Flying time to stop i without returning; between strips at
                                    ///< ferry speed.
-  std::vector<double> back_m;      ///< Straight distance from stop i to the station.
+  std::vector<double> back_m;      ///< Ferry way from stop i to the station.
   std::vector<double> resume_m;    ///< Sprayed distance at resume i; [0] = 0.
   std::vector<double> resume_s;    ///< Flying time to resume i without returning; [0] = 0.
-  std::vector<double> out_m;  ///< Straight distance from the station to resume i; [0]: fly_out_m.
-  double fly_out_m;           ///< From the aircraft's first position to the beginning.
+  std::vector<double> out_m;       ///< Ferry way from the station to resume i; [0]: fly_out_m.
+  double fly_out_m;                ///< From the aircraft's first position to the beginning.
   std::vector<std::uint32_t> strip_starts;  ///< First cells of strips, rising; [0] = 0.
 };
 
@@ -60,8 +60,20 @@ struct ReturnPlan {
   std::uint32_t swaps;
 };
 
+/// Ferry ways between one station and every cell of a route, in metres.
+struct StationLengths {
+  std::vector<double> back_m;  ///< From the cell's stop to the station.
+  std::vector<double> out_m;   ///< From the station to the cell's resume.
+};
+StationLengths station_lengths(const Route& route, FieldPoint station);
+
 /// The problem of `vehicle` on `cells` of `route`, served at `station`.
+/// @param lengths  Of the route and the station.
 /// @pre `cells` is not empty and within the route.
+ReturnProblem return_problem(const Route& route, CellRange cells, const Vehicle& vehicle,
+                             const Station& station, const StationLengths& lengths);
+
+/// The same where the lengths are needed once only.
 ReturnProblem return_problem(const Route& route, CellRange cells, const Vehicle& vehicle,
                              const Station& station);
 

@@ -40,7 +40,12 @@ inline Station depot() {
 }
 
 inline AgentSettings settings_of(const Vehicle& vehicle, Wind wind = {}) {
-  return {.vehicle = vehicle, .stations = {depot()}, .wind = wind, .seed = 5, .boot = boot_1};
+  return {.vehicle = vehicle,
+          .stations = {depot()},
+          .wind = wind,
+
+          .seed = 5,
+          .boot = boot_1};
 }
 
 /// Strips of `cells` cells of 2 m, first centre (1, 1), up and down by turns, as one piece each.

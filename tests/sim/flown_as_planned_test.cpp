@@ -19,7 +19,7 @@ Log flown(const mission::Scenario& scenario, const scheduler::FleetPlan& plan) {
   }
   for (const Vehicle& v : scenario.uavs) {
     const BootId boot = mission::first_boot(scenario, node(v.id));
-    host.add(node(v.id), mission::agent_node(scenario, v.id, boot), Instant{});
+    host.add(node(v.id), mission::agent_node(scenario, plan.route.ferries, v.id, boot), Instant{});
   }
   return simulate(host, scenario.link.latency, Instant{scenario.mission_limit});
 }

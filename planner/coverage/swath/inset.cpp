@@ -106,7 +106,7 @@ Expected<FieldLand, PlanError> field_land(const Field& field, Length margin, Len
     if (obstacle.radius > Length{}) taken.push_back(disc(obstacle, origin));
   }
 
-  FieldLand made{origin, *boundary, {}};
+  FieldLand made{origin, *boundary, {}, {}};
   if (!taken.empty()) {
     taken = united(taken);
     made.land = subtracted(*boundary, taken);
@@ -116,9 +116,8 @@ Expected<FieldLand, PlanError> field_land(const Field& field, Length margin, Len
     return Unexpected{PlanError{PlanFault::nothing_to_spray, "holes cover the whole field"}};
   }
   made.flight = offset(made.land, -margin.base());
-  if (!taken.empty() && hole_buffer > Length{}) {
-    made.flight = subtracted(made.flight, offset(taken, (margin + hole_buffer).base()));
-  }
+  made.taken = offset(taken, (margin + hole_buffer).base());
+  if (!taken.empty() && hole_buffer > Length{}) made.flight = subtracted(made.flight, made.taken);
   drop_dust(made.flight);
   if (made.flight.empty()) {
     return Unexpected{

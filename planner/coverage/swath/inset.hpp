@@ -12,6 +12,7 @@ struct FieldLand {
   PointM origin;     ///< Added to any place below, gives it in the field frame.
   LandParts land;    ///< To be sprayed: the boundary less holes and obstacles.
   LandParts flight;  ///< Where flight is allowed: `land` drawn in. Parts do not touch.
+  LandParts taken;   ///< Holes and obstacles, drawn out as far as flight keeps away from them.
 };
 
 /// Cleans the rings of `field` and draws it in.

@@ -69,6 +69,41 @@ std::optional<PathM> InsidePaths::along_ring(PointM a, PointM b) const {
   return length_m(onwards) <= length_m(back) ? onwards : back;
 }
 
+InsidePaths::Fan InsidePaths::fan(PointM from) const {
+  Fan made{from, std::vector<double>(corners_.size(), INFINITY)};
+  using Open = std::pair<double, std::size_t>;
+  std::priority_queue<Open, std::vector<Open>, std::greater<>> open;
+  const auto reach = [&](std::size_t corner, double length_m) {
+    if (length_m >= made.corner_m[corner]) return;
+    made.corner_m[corner] = length_m;
+    open.push({length_m, corner});
+  };
+  for (std::size_t c = 0; c < corners_.size(); ++c) {
+    if (bends_around(from, corners_[c]) && grid_.sees(from, corners_[c].at)) {
+      reach(c, norm(corners_[c].at - from));
+    }
+  }
+  while (!open.empty()) {
+    const auto [length_m, corner] = open.top();
+    open.pop();
+    if (length_m > made.corner_m[corner]) continue;
+    for (const Link& link : links_of(corner)) reach(link.to, length_m + link.length_m);
+  }
+  return made;
+}
+
+double InsidePaths::way_m(const Fan& fan, PointM to) const {
+  if (is_convex() || grid_.sees(fan.from, to)) return norm(to - fan.from);
+  double best_m = INFINITY;
+  for (std::size_t c = 0; c < corners_.size(); ++c) {
+    const double through_m = fan.corner_m[c] + norm(to - corners_[c].at);
+    if (through_m < best_m && bends_around(to, corners_[c]) && grid_.sees(corners_[c].at, to)) {
+      best_m = through_m;
+    }
+  }
+  return best_m;
+}
+
 std::optional<PathM> InsidePaths::shortest(PointM a, PointM b) const {
   if (grid_.sees(a, b)) return PathM{a, b};
   std::optional<PathM> bound = along_ring(a, b);

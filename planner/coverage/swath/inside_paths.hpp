@@ -21,6 +21,21 @@ class InsidePaths {
   /// @return  Nothing if `a` or `b` is not on the land.
   std::optional<PathM> shortest(PointM a, PointM b) const;
 
+  /// Shortest lengths from one place to every corner that a way may bend at.
+  struct Fan {
+    PointM from;
+    std::vector<double> corner_m;  ///< Infinite where no way leads.
+  };
+  /// Cost: a search over all corners.
+  Fan fan(PointM from) const;
+
+  /// Length of the shortest way from the fan's place to `to`; infinite if there is none.
+  /// O(corners).
+  double way_m(const Fan& fan, PointM to) const;
+
+  /// Whether every place sees every other.
+  bool is_convex() const { return corners_.empty(); }
+
   const EdgeGrid& edges() const { return grid_; }
 
  private:

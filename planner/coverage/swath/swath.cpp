@@ -6,6 +6,7 @@
 #include "planner/coverage/swath/joints.hpp"
 #include "planner/coverage/swath/part_plan.hpp"
 #include "planner/coverage/swath/ragged_edges.hpp"
+#include "planner/ferry/bends.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -90,6 +91,9 @@ PartPlan plan_part(const LandPart& flight, const FieldLand& field,
     plan.groups.insert(plan.groups.end(), more.begin(), more.end());
     if (!more.empty()) plan.order = strip_order(plan.groups, paths, rule.start);
     join(plan.order, paths.edges(), here, s.miss_tolerance * area_m2(here));
+  }
+  for (OrderedStrip& strip : plan.order.strips) {
+    strip.approach = clear_of_corners(strip.approach, paths.edges(), rule.swath_m / 2);
   }
   return plan;
 }

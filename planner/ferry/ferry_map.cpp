@@ -1,0 +1,136 @@
+#include "planner/ferry/ferry_map.hpp"
+
+#include "planner/coverage/geos.hpp"
+#include "planner/coverage/swath/inset.hpp"
+#include "planner/coverage/swath/inside_paths.hpp"
+#include "planner/ferry/aprons.hpp"
+#include "planner/ferry/bends.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <optional>
+
+namespace furrow::planner {
+namespace {
+
+constexpr double slack_m = 1e-6;  // ends of strips lie on the edge, rounding or not
+
+bool is_within(const LandParts& parts, PointM p) {
+  return std::any_of(parts.begin(), parts.end(),
+                     [p](const LandPart& part) { return EdgeGrid{part}.contains(p); });
+}
+
+PlanError unreachable(FieldPoint stand, const char* why) {
+  return {PlanFault::out_of_reach,
+          fmt::format("({:.3f}, {:.3f}) m {}", stand.x.base(), stand.y.base(), why)};
+}
+
+}  // namespace
+
+class FerryMap::Ground {
+ public:
+  Ground(PointM origin, const LandPart& land, double cut_m)
+      : origin_{origin}, land_{land}, paths_{land}, cut_m_{cut_m} {}
+
+  PointM plane(FieldPoint p) const { return PointM{p.x.base(), p.y.base()} - origin_; }
+  FieldPoint field_point(PointM p) const { return at_m(p.x + origin_.x, p.y + origin_.y); }
+
+  bool contains(PointM p) const { return paths_.edges().contains(p); }
+  void add_stand(PointM stand) { fans_.push_back(paths_.fan(stand)); }
+
+  PathM way(PointM from, PointM to) const {
+    if (paths_.is_convex() || norm(to - from) == 0) return {from, to};
+    const PointM entered = on_land(from), left = on_land(to);
+    const auto inside = paths_.shortest(entered, left);
+    PathM made = inside ? clear_of_corners(*inside, paths_.edges(), cut_m_) : PathM{entered, left};
+    if (!(entered == from)) made.insert(made.begin(), from);
+    if (!(left == to)) made.push_back(to);
+    return made;
+  }
+
+  double length_m(PointM from, PointM to) const {
+    if (paths_.is_convex()) return norm(to - from);
+    for (const InsidePaths::Fan& fan : fans_) {
+      if (fan.from == from) return fan_length_m(fan, to);
+      if (fan.from == to) return fan_length_m(fan, from);
+    }
+    return planner::length_m(way(from, to));
+  }
+
+ private:
+  double fan_length_m(const InsidePaths::Fan& fan, PointM to) const {
+    const double inside_m = paths_.way_m(fan, to);
+    return inside_m < INFINITY ? inside_m : planner::length_m(way(fan.from, to));
+  }
+
+  // The nearest place of the map.
+  PointM on_land(PointM p) const {
+    if (contains(p)) return p;
+    PointM best = p;
+    double away_m = INFINITY;
+    each_edge(land_, [&](PointM a, PointM b) {
+      const PointM along = b - a;
+      const double t = std::clamp(dot(p - a, along) / dot(along, along), 0.0, 1.0);
+      const PointM q = a + t * along;
+      if (norm(q - p) < away_m) {
+        away_m = norm(q - p);
+        best = q;
+      }
+    });
+    return best;
+  }
+
+  PointM origin_;
+  LandPart land_;
+  InsidePaths paths_;
+  double cut_m_;
+  std::vector<InsidePaths::Fan> fans_{};
+};
+
+Expected<FerryMap, PlanError> FerryMap::over(const Field& field, const FerryRule& rule,
+                                             std::span<const FieldPoint> stands) {
+  const auto land = field_land(field, rule.margin, rule.hole_buffer);
+  if (!land) return Unexpected{land.error()};
+  LandParts open = land->flight;
+  for (const FieldPoint stand : stands) {
+    const PointM place = PointM{stand.x.base(), stand.y.base()} - land->origin;
+    if (is_within(land->taken, place)) {
+      return Unexpected{unreachable(stand, "lies in a hole or an obstacle, or too near to one")};
+    }
+    for (LandPart& part : subtracted(apron(place, land->flight), land->taken)) {
+      open.push_back(std::move(part));
+    }
+  }
+  open = united(open);
+  const LandParts across = bridges(open, land->taken);
+  open.insert(open.end(), across.begin(), across.end());
+  open = offset(united(open), slack_m);
+  const auto whole = std::max_element(
+      open.begin(), open.end(),
+      [](const LandPart& a, const LandPart& b) { return area_m2(a) < area_m2(b); });
+  auto ground = std::make_shared<Ground>(land->origin, *whole, rule.corner_cut.base());
+  for (const FieldPoint stand : stands) {
+    if (!ground->contains(ground->plane(stand))) {
+      return Unexpected{unreachable(stand, "has no way to the field around holes and obstacles")};
+    }
+    ground->add_stand(ground->plane(stand));
+  }
+  return FerryMap{std::move(ground)};
+}
+
+std::vector<FieldPoint> FerryMap::way(FieldPoint from, FieldPoint to) const {
+  if (!ground_) return {from, to};
+  const PathM path = ground_->way(ground_->plane(from), ground_->plane(to));
+  std::vector<FieldPoint> made{from};
+  for (std::size_t i = 1; i + 1 < path.size(); ++i) made.push_back(ground_->field_point(path[i]));
+  made.push_back(to);
+  return made;
+}
+
+Length FerryMap::length(FieldPoint from, FieldPoint to) const {
+  if (!ground_) return distance(from, to);
+  return metres(ground_->length_m(ground_->plane(from), ground_->plane(to)));
+}
+
+}  // namespace furrow::planner
