@@ -1,4 +1,4 @@
-#include "planner/routes/genetic.hpp"
+#include "planner/routes/evolution.hpp"
 
 #include "core/require.hpp"
 #include "planner/routes/asymmetric_crossover.hpp"
@@ -13,7 +13,7 @@ namespace {
 
 class Generations {
  public:
-  Generations(const Scene& scene, const GeneticSettings& settings, std::uint64_t evaluations,
+  Generations(const Scene& scene, const EvolutionSettings& settings, std::uint64_t evaluations,
               std::uint64_t seed)
       : settings_{settings},
         budget_{static_cast<double>(evaluations)},
@@ -43,7 +43,7 @@ class Generations {
   }
 
   Population next() {
-    const auto picks = settings_.selection == Selection::mixed
+    const auto picks = settings_.selection == ParentSelection::mixed
                            ? mixed_selection(population_, settings_.tournament_share, random_)
                            : roulette_selection(population_, random_);
     Population children{best_};
@@ -98,7 +98,7 @@ class Generations {
     history_.push_back(best_.cost.total());
   }
 
-  GeneticSettings settings_;
+  EvolutionSettings settings_;
   double budget_;
   Partition partition_;
   RouteJudge judge_;
@@ -110,16 +110,16 @@ class Generations {
 
 }  // namespace
 
-RouteSearch genetic_search(const Scene& scene, const GeneticSettings& settings,
-                           std::uint64_t evaluations, std::uint64_t seed) {
+RouteSearch evolved_route(const Scene& scene, const EvolutionSettings& settings,
+                          std::uint64_t evaluations, std::uint64_t seed) {
   require(settings.population >= 2 && settings.chromosome >= 3 && settings.chromosome <= 32 &&
               evaluations >= settings.population,
           "a population of two or more, with way points, is judged once at least");
   return Generations{scene, settings, evaluations, seed}.run();
 }
 
-GeneticSettings plain_genetic(GeneticSettings settings) {
-  settings.selection = Selection::roulette;
+EvolutionSettings plain_evolution(EvolutionSettings settings) {
+  settings.selection = ParentSelection::roulette;
   settings.crossover = Crossover::simulated_binary;
   settings.mutation = Mutation::random;
   return settings;

@@ -6,12 +6,12 @@
 
 namespace furrow::planner {
 
-enum class Selection { mixed, roulette };
+enum class ParentSelection { mixed, roulette };
 enum class Crossover { asymmetric_mapping, simulated_binary };
 enum class Mutation { heuristic_multiple, random };
 
-struct GeneticSettings {
-  Selection selection = Selection::mixed;
+struct EvolutionSettings {
+  ParentSelection selection = ParentSelection::mixed;
   Crossover crossover = Crossover::asymmetric_mapping;
   Mutation mutation = Mutation::heuristic_multiple;
   std::uint32_t population = 40;  ///< >= 2
@@ -31,10 +31,10 @@ struct GeneticSettings {
 ///
 /// @pre evaluations >= population
 /// Source: Huang, Tian, Qiao, Wang, Su, "UAV path planning based on improved genetic algorithm".
-RouteSearch genetic_search(const Scene& scene, const GeneticSettings& settings,
-                           std::uint64_t evaluations, std::uint64_t seed);
+RouteSearch evolved_route(const Scene& scene, const EvolutionSettings& settings,
+                          std::uint64_t evaluations, std::uint64_t seed);
 
 /// The same loop with roulette, simulated binary crossover and random mutation.
-GeneticSettings plain_genetic(GeneticSettings settings = {});
+EvolutionSettings plain_evolution(EvolutionSettings settings = {});
 
 }  // namespace furrow::planner

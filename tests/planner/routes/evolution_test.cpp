@@ -1,4 +1,4 @@
-#include "planner/routes/genetic.hpp"
+#include "planner/routes/evolution.hpp"
 
 #include "planner/routes/asymmetric_crossover.hpp"
 #include "planner/routes/binary_crossover.hpp"
@@ -156,8 +156,8 @@ TEST_CASE("The improved algorithm beats the plain one on the same budget, and re
   const Scene scene = hills::scene(2);
   double improved = 0, plain = 0;
   for (std::uint64_t seed = 0; seed < 5; ++seed) {
-    const RouteSearch a = genetic_search(scene, {}, 4000, seed);
-    const RouteSearch b = genetic_search(scene, plain_genetic(), 4000, seed);
+    const RouteSearch a = evolved_route(scene, {}, 4000, seed);
+    const RouteSearch b = evolved_route(scene, plain_evolution(), 4000, seed);
     improved += a.best.cost.total();
     plain += b.best.cost.total();
     CHECK(a.best.cost.is_feasible());
@@ -165,9 +165,9 @@ TEST_CASE("The improved algorithm beats the plain one on the same budget, and re
     CHECK(a.evaluations < 4000 + 40 * 8);
   }
   CHECK(improved < plain);
-  const RouteSearch once = genetic_search(scene, {}, 2000, 1);
-  CHECK(once.best.genes == genetic_search(scene, {}, 2000, 1).best.genes);
-  CHECK(once.history != genetic_search(scene, {}, 2000, 2).history);
+  const RouteSearch once = evolved_route(scene, {}, 2000, 1);
+  CHECK(once.best.genes == evolved_route(scene, {}, 2000, 1).best.genes);
+  CHECK(once.history != evolved_route(scene, {}, 2000, 2).history);
 }
 
 }  // namespace
