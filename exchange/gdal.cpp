@@ -3,6 +3,7 @@
 #include <cpl_conv.h>
 #include <cpl_error.h>
 #include <cpl_http.h>
+#include <gdal_frmts.h>
 #include <ogrsf_frmts.h>
 
 #include <algorithm>
@@ -29,6 +30,8 @@ bool set_up() {
   RegisterOGRGeoJSON();
   RegisterOGRShape();
   RegisterOGRGeoPackage();
+  GDALRegister_AAIGrid();
+  GDALRegister_GTiff();
   return true;
 }
 

@@ -8,7 +8,8 @@
 namespace furrow::exchange {
 
 /// While one lives, GDAL writes no message of its own and fetches nothing. Registers the drivers
-/// for GeoJSON, shapefile and GeoPackage, and no others, once per process.
+/// for GeoJSON, shapefile, GeoPackage, ESRI ASCII grid and GeoTIFF, and no others, once per
+/// process.
 class GdalScope {
  public:
   GdalScope();
