@@ -28,7 +28,7 @@ class Lattice {
              at_least(2 * n * deep_m / std::max(wide_m, deep_m)), at_least(n)};
     pitch_ = {wide_m / (size_[0] - 1), deep_m / (size_[1] - 1),
               (scene_.high.z_m - scene_.low.z_m) / (size_[2] - 1)};
-    const auto count = static_cast<std::size_t>(size_[0]) * size_[1] * size_[2];
+    const std::size_t count = index(size_[0]) * index(size_[1]) * index(size_[2]);
     cost_.assign(count, std::numeric_limits<double>::infinity());
     from_.assign(count, -1);
     is_closed_.assign(count, false);
