@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace furrow {
 
@@ -29,6 +30,24 @@ Length edge_distance(const Ring& ring, FieldPoint p) {
     nearest_m = std::min(nearest_m, std::hypot(x - x1 - t * dx, y - y1 - t * dy));
   }
   return metres(nearest_m);
+}
+
+Obstacle outlined(std::string id, Ring outline) {
+  FieldPoint low = outline.front(), high = outline.front();
+  for (const FieldPoint p : outline) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  const FieldPoint center = low + FieldVector{0.5 * (high - low).x, 0.5 * (high - low).y};
+  Length radius{};
+  for (const FieldPoint p : outline) radius = std::max(radius, distance(center, p));
+  return {std::move(id), center, radius, std::move(outline)};
+}
+
+Length depth_in(const Obstacle& obstacle, FieldPoint p) {
+  if (obstacle.outline.empty()) return obstacle.radius - distance(obstacle.center, p);
+  const Length to_edge = edge_distance(obstacle.outline, p);
+  return contains(obstacle.outline, p) ? to_edge : -to_edge;
 }
 
 }  // namespace furrow

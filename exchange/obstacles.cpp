@@ -22,43 +22,76 @@ std::string id_of(OGRFeature& feature, std::size_t number) {
   return fmt::format("obstacle{}", number);
 }
 
-Expected<GeoPoint, Fault> place(const OGRGeometry* geometry, const OGRSpatialReference* crs) {
-  const auto* point = dynamic_cast<const OGRPoint*>(geometry);
-  if (!point || point->IsEmpty()) {
-    return Unexpected{Fault{"obstacles must be points",
-                            geometry ? shown(geometry->getGeometryName()) : "no geometry"}};
+// Places of a file in the field frame.
+class Places {
+ public:
+  Places(const OGRSpatialReference* crs, const LocalFrame& frame)
+      : crs_{crs}, frame_{frame}, globe_{wgs84()} {
+    if (crs) transform_.reset(OGRCreateCoordinateTransformation(crs, &globe_));
   }
-  GeoPoint at{point->getX(), point->getY()};
-  if (crs) {
-    const OGRSpatialReference globe = wgs84();
-    const std::unique_ptr<OGRCoordinateTransformation> transform{
-        OGRCreateCoordinateTransformation(crs, &globe)};
-    if (!transform || !transform->Transform(1, &at.lon_deg, &at.lat_deg)) {
+
+  Expected<FieldPoint, Fault> at(const OGRSimpleCurve& curve, int index) const {
+    return at(curve.getX(index), curve.getY(index));
+  }
+
+  Expected<FieldPoint, Fault> at(double x, double y) const {
+    GeoPoint on{x, y};
+    if (crs_ && (!transform_ || !transform_->Transform(1, &on.lon_deg, &on.lat_deg))) {
       return Unexpected{
-          Fault{"CRS must be one that can be brought to WGS84", shown(crs->GetName())}};
+          Fault{"CRS must be one that can be brought to WGS84", shown(crs_->GetName())}};
     }
+    const Datum datum = frame_.datum();
+    const bool is_near = std::abs(on.lat_deg - datum.lat_deg) < 1 &&
+                         std::abs(std::remainder(on.lon_deg - datum.lon_deg, 360.0)) < 1;
+    if (is_near) return frame_.to_field(on);
+    return Unexpected{
+        Fault{"obstacles must lie near the field", fmt::format("{}, {}", on.lon_deg, on.lat_deg)}};
   }
-  return at;
+
+ private:
+  const OGRSpatialReference* crs_;
+  const LocalFrame& frame_;
+  OGRSpatialReference globe_;
+  std::unique_ptr<OGRCoordinateTransformation> transform_{};
+};
+
+Expected<Obstacle, Fault> polygon_obstacle(const OGRPolygon& polygon, std::string id,
+                                           const Places& places) {
+  const OGRLinearRing* outer = polygon.getExteriorRing();
+  Ring ring;
+  for (int i = 0; outer && i < outer->getNumPoints(); ++i) {
+    const auto at = places.at(*outer, i);
+    if (!at) return Unexpected{at.error()};
+    if (ring.empty() || !(ring.back() == *at)) ring.push_back(*at);
+  }
+  while (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
+  if (ring.size() < 3) {
+    return Unexpected{Fault{"an obstacle must have 3 vertices", std::to_string(ring.size())}};
+  }
+  return outlined(std::move(id), std::move(ring));
 }
 
-Expected<Obstacle, Fault> obstacle(OGRFeature& feature, const OGRSpatialReference* crs,
-                                   const LocalFrame& frame, std::size_t number_in_file) {
-  const auto at = place(feature.GetGeometryRef(), crs);
-  if (!at) return Unexpected{at.error()};
-  const Datum datum = frame.datum();
-  const bool is_near = std::abs(at->lat_deg - datum.lat_deg) < 1 &&
-                       std::abs(std::remainder(at->lon_deg - datum.lon_deg, 360.0)) < 1;
-  if (!is_near) {
-    return Unexpected{Fault{"obstacles must lie near the field",
-                            fmt::format("{}, {}", at->lon_deg, at->lat_deg)}};
+Expected<Obstacle, Fault> obstacle(OGRFeature& feature, const Places& places,
+                                   std::size_t number_in_file) {
+  const OGRGeometry* geometry = feature.GetGeometryRef();
+  std::string id = id_of(feature, number_in_file);
+  if (const auto* polygon = dynamic_cast<const OGRPolygon*>(geometry)) {
+    return polygon_obstacle(*polygon, std::move(id), places);
   }
+  const auto* point = dynamic_cast<const OGRPoint*>(geometry);
+  if (!point || point->IsEmpty()) {
+    return Unexpected{Fault{"obstacles must be points or polygons",
+                            geometry ? shown(geometry->getGeometryName()) : "no geometry"}};
+  }
+  const auto at = places.at(point->getX(), point->getY());
+  if (!at) return Unexpected{at.error()};
   const std::string stated = text_of(feature, "radius_m");
   const auto radius_m = number(stated);
   if (!radius_m || *radius_m <= 0) {
     return Unexpected{
         Fault{"radius_m must be a number > 0", stated.empty() ? "none" : shown(stated)}};
   }
-  return Obstacle{id_of(feature, number_in_file), frame.to_field(*at), metres(*radius_m)};
+  return Obstacle{std::move(id), *at, metres(*radius_m)};
 }
 
 }  // namespace
@@ -73,8 +106,9 @@ Expected<std::vector<Obstacle>, LandError> read_obstacles(const LandFile& file,
   if (!open.dataset()) return error({"must be a sound GeoJSON file", gdal.complaint()});
   std::vector<Obstacle> obstacles;
   for (OGRLayer* layer : open.dataset()->GetLayers()) {
+    const Places places{layer->GetSpatialRef(), frame};
     for (const auto& feature : *layer) {
-      auto next = obstacle(*feature, layer->GetSpatialRef(), frame, obstacles.size() + 1);
+      auto next = obstacle(*feature, places, obstacles.size() + 1);
       if (!next) return error(next.error());
       obstacles.push_back(std::move(*next));
     }

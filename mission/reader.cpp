@@ -238,8 +238,10 @@ Ring Section::ring_of(const Found& found) const {
   return ring;
 }
 
-Ring Section::ring(std::string_view key) const {
-  const Found found = take(key, ring_rule, std::string{required});
+Ring Section::ring(std::string_view key) const { return optional_ring(key, std::string{required}); }
+
+Ring Section::optional_ring(std::string_view key, const std::string& otherwise) const {
+  const Found found = take(key, ring_rule, otherwise);
   return found.value ? ring_of(found) : Ring{};
 }
 

@@ -55,6 +55,7 @@ class Section {
                                            const std::string& otherwise) const;
   /// A repeated first vertex at the end is dropped. Empty if broken.
   Ring ring(std::string_view key) const;
+  Ring optional_ring(std::string_view key, const std::string& otherwise) const;
   /// A ring for each item, in order; empty where broken.
   std::vector<Ring> rings(std::string_view key) const;
 

@@ -138,16 +138,51 @@ void read_field(const Section& s, Scenario& out) {
   }
 }
 
-std::vector<Obstacle> read_obstacles(const Section& root) {
+// Round, or of any outline.
+Obstacle read_obstacle(const Section& s) {
+  std::string id = s.name("id");
+  const Ring outline = s.optional_ring("boundary_m", "round");
+  const auto center = s.optional_point("center_m", "boundary_m");
+  const auto radius = s.optional_number("radius_m", above_to(0, 10'000), "boundary_m");
+  if (s.has("boundary_m")) {
+    for (const char* key : {"center_m", "radius_m"}) {
+      if (s.has(key)) s.fail(key, "must be left out beside boundary_m");
+    }
+    if (!outline.empty()) return outlined(std::move(id), outline);
+  } else {
+    for (const char* key : {"center_m", "radius_m"}) {
+      if (!s.has(key)) s.fail(key, "is required, or boundary_m");
+    }
+  }
+  return {std::move(id), center.value_or(FieldPoint{}), metres(radius.value_or(1))};
+}
+
+void read_obstacles_file(const Section& root, const Scenario& scenario,
+                         std::vector<Obstacle>& obstacles) {
+  const auto file = root.optional_text("obstacles_file", "none");
+  if (!file) return;
+  if (!scenario.datum) {
+    root.fail("obstacles_file", "needs field.file or field.datum, its places being on the globe");
+    return;
+  }
+  auto read = exchange::read_obstacles(beside(root, *file), exchange::LocalFrame{*scenario.datum});
+  if (!read) {
+    root.fail("obstacles_file", read.error().rule,
+              fmt::format("{} in {}", read.error().value, *file));
+    return;
+  }
+  obstacles.insert(obstacles.end(), read->begin(), read->end());
+}
+
+std::vector<Obstacle> read_obstacles(const Section& root, const Scenario& scenario) {
   std::vector<Obstacle> obstacles;
   std::set<std::string> ids;
   for (const auto& s : root.list("obstacles", 0, most_entries)) {
-    obstacles.push_back({.id = s.name("id"),
-                         .center = s.point("center_m"),
-                         .radius = metres(s.number("radius_m", above_to(0, 10'000)))});
+    obstacles.push_back(read_obstacle(s));
     const auto& id = obstacles.back().id;
     if (!id.empty() && !ids.insert(id).second) s.fail("id", "must be unique among the obstacles");
   }
+  read_obstacles_file(root, scenario, obstacles);
   return obstacles;
 }
 
@@ -341,7 +376,7 @@ Draft read_scenario(const Section& root) {
   s.name = root.name("name");
   s.seed = root.whole("seed", 0, UINT64_MAX, 1);
   draft.field_in_order = in_order(root, [&] { read_field(root.required_section("field"), s); });
-  s.field.obstacles = read_obstacles(root);
+  s.field.obstacles = read_obstacles(root, s);
   draft.supply_in_order = in_order(root, [&] { read_supply(root, draft); });
   draft.fleet_in_order = in_order(root, [&] { read_uavs(root, draft); });
   s.wind = read_wind(root.section("wind"));

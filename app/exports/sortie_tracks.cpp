@@ -16,8 +16,15 @@ void add(std::vector<exchange::TrackPoint>& points, FieldPoint at, bool is_spray
   }
 }
 
-std::vector<exchange::TrackPoint> track(const SortieOrder& order) {
+// The bends of a ferry way, its ends left out.
+void add_bends(std::vector<exchange::TrackPoint>& points, const std::vector<FieldPoint>& way) {
+  for (std::size_t i = 1; i + 1 < way.size(); ++i) add(points, way[i], false);
+}
+
+std::vector<exchange::TrackPoint> track(const SortieOrder& order, FieldPoint home,
+                                        FieldPoint station, const planner::FerryMap& ferries) {
   std::vector<exchange::TrackPoint> points;
+  add_bends(points, ferries.way(home, order.pieces.front().entry));
   bool is_first = true;
   for (const Piece& piece : order.pieces) {
     if (!is_first) {
@@ -29,6 +36,7 @@ std::vector<exchange::TrackPoint> track(const SortieOrder& order) {
     add(points, piece.to, true);
     add(points, piece.exit, false);
   }
+  add_bends(points, ferries.way(order.pieces.back().exit, station));
   return points;
 }
 
@@ -43,7 +51,7 @@ std::vector<exchange::SortieTrack> sortie_tracks(const scheduler::FleetPlan& pla
       tracks.push_back({.uav = uav.vehicle.id,
                         .sortie = ++number,
                         .home = home,
-                        .points = track(order),
+                        .points = track(order, home, uav.station.position, plan.route.ferries),
                         .altitude = metres(altitude_m),
                         .spray_speed = uav.vehicle.spray_speed,
                         .ferry_speed = uav.vehicle.ferry_speed});

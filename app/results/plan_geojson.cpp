@@ -54,9 +54,11 @@ void add_land(Json& features, const mission::Scenario& scenario) {
   for (const Ring& hole : scenario.field.holes) rings.push_back(linear_ring(hole, false));
   features.push_back(feature("Polygon", std::move(rings), {{"kind", "field"}}));
   for (const Obstacle& o : scenario.field.obstacles) {
+    Json properties{{"kind", "obstacle"}, {"id", o.id}};
+    if (o.outline.empty()) properties["radius_m"] = rounded(o.radius.base());
+    const Ring ring = o.outline.empty() ? circle(o.center, o.radius.base()) : o.outline;
     features.push_back(
-        feature("Polygon", Json::array({linear_ring(circle(o.center, o.radius.base()), true)}),
-                {{"kind", "obstacle"}, {"id", o.id}, {"radius_m", rounded(o.radius.base())}}));
+        feature("Polygon", Json::array({linear_ring(ring, true)}), std::move(properties)));
   }
   for (const Station& s : scenario.stations) {
     features.push_back(

@@ -71,7 +71,25 @@ void clear_crossed(Grid& grid, std::int32_t row, const std::vector<Edge>& edges,
   }
 }
 
+// Clears the cells that the inside of an outline touches.
+void clear_outlined(Grid& grid, const Ring& outline, double slack) {
+  Grid covered{grid.origin, grid.cell, grid.columns, grid.rows, {}};
+  covered.workable.assign(grid.workable.size(), 0);
+  Grid inner = covered;
+  std::fill(inner.workable.begin(), inner.workable.end(), 1);
+  const std::vector<Edge> edges = edges_of({outline}, grid);
+  std::vector<double> crossings;
+  for (std::int32_t row = 0; row < grid.rows; ++row) {
+    fill_inside(covered, row, edges, crossings);
+    clear_crossed(inner, row, edges, slack);
+  }
+  for (std::size_t i = 0; i < grid.workable.size(); ++i) {
+    if (covered.workable[i] == 1 || inner.workable[i] == 0) grid.workable[i] = 0;
+  }
+}
+
 void clear_around(Grid& grid, const Obstacle& obstacle, double slack) {
+  if (!obstacle.outline.empty()) return clear_outlined(grid, obstacle.outline, slack);
   const double side_m = grid.cell.base();
   const double x = (obstacle.center.x - grid.origin.x).base() / side_m;
   const double y = (obstacle.center.y - grid.origin.y).base() / side_m;

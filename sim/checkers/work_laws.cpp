@@ -27,9 +27,7 @@ std::string forbidden(const Field& field, FieldPoint p, Length slack) {
     if (is_deep_inside(hole, p, slack)) return "inside a hole";
   }
   for (const Obstacle& obstacle : field.obstacles) {
-    if (distance(obstacle.center, p) < obstacle.radius - slack) {
-      return "inside obstacle " + obstacle.id;
-    }
+    if (depth_in(obstacle, p) > slack) return "inside obstacle " + obstacle.id;
   }
   return {};
 }

@@ -33,5 +33,16 @@ TEST_CASE("ring: the distance to its edges is the same from inside and outside",
   CHECK(edge_distance(notched, at_m(13, 14)).base() == Approx(5.0));  // 3, 4 from a corner
 }
 
+TEST_CASE("obstacle: its depth is measured from its edge, round or outlined", "[core]") {
+  const Obstacle tree{"tree", at_m(10, 0), metres(3)};
+  CHECK(depth_in(tree, at_m(11, 0)).base() == Approx(2));
+  CHECK(depth_in(tree, at_m(15, 0)).base() == Approx(-2));
+  const Obstacle house = outlined("house", {at_m(0, 0), at_m(8, 0), at_m(8, 6), at_m(0, 6)});
+  CHECK(house.center == at_m(4, 3));
+  CHECK(house.radius.base() == Approx(5));  // half the diagonal of 6 by 8
+  CHECK(depth_in(house, at_m(4, 1)).base() == Approx(1));
+  CHECK(depth_in(house, at_m(4, -2)).base() == Approx(-2));
+}
+
 }  // namespace
 }  // namespace furrow

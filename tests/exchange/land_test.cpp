@@ -168,7 +168,9 @@ TEST_CASE("Obstacles are read into the frame of the field") {
   const LocalFrame frame{{.lat_deg = 51.781, .lon_deg = 4.262}};
   const auto obstacles = read_obstacles(folder + "obstacles.geojson", frame);
   REQUIRE(obstacles);
-  REQUIRE(obstacles->size() == 2);
+  REQUIRE(obstacles->size() == 3);
+  CHECK((*obstacles)[2].id == "pond");
+  CHECK((*obstacles)[2].outline.size() == 4);
   CHECK((*obstacles)[0].id == "tree1");
   CHECK((*obstacles)[0].radius == metres(3));
   CHECK(distance((*obstacles)[0].center, at_m(0, 0)).base() < 1e-6);

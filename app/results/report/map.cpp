@@ -103,8 +103,8 @@ class Panels {
     const scheduler::UavPlan& plan = uavs()[uav];
     Chains ways;
     for (const std::uint32_t cell : plan.solution.plan.returns) {
-      ways.push_back(
-          {view_.at(stop_after(plan.cells.first + cell)), view_.at(plan.station.position)});
+      ways.push_back(pixels(
+          view_, route_.ferries.way(stop_after(plan.cells.first + cell), plan.station.position)));
     }
     svg.path(ways, false, {.stroke = "#8b8b80", .width = 0.6, .opacity = 0.7, .dash = "3 3"});
   }

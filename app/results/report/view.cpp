@@ -67,8 +67,13 @@ Svg land_panel(const View& view, const mission::Scenario& scenario, std::string_
   for (const Ring& hole : scenario.field.holes) rings.push_back(pixels(view, hole));
   svg.path(rings, true, {.fill = "#f3f1e7", .stroke = "#7d7458", .width = 1.2});
   for (const Obstacle& o : scenario.field.obstacles) {
-    svg.circle(view.at(o.center), std::max(o.radius.base() * view.pixels_per_m, 1.5),
-               {.fill = "#8d8d8d", .stroke = "#4d4d4d", .width = 0.8}, "obstacle " + o.id);
+    const Paint paint{.fill = "#8d8d8d", .stroke = "#4d4d4d", .width = 0.8};
+    if (!o.outline.empty()) {
+      svg.path({pixels(view, o.outline)}, true, paint);
+      continue;
+    }
+    svg.circle(view.at(o.center), std::max(o.radius.base() * view.pixels_per_m, 1.5), paint,
+               "obstacle " + o.id);
   }
   draw_north(svg, view);
   draw_scale(svg, view);

@@ -103,7 +103,13 @@ Expected<FieldLand, PlanError> field_land(const Field& field, Length margin, Len
         !std::isfinite(obstacle.radius.base())) {
       return Unexpected{invalid("obstacle " + obstacle.id, "is not finite")};
     }
-    if (obstacle.radius > Length{}) taken.push_back(disc(obstacle, origin));
+    if (!obstacle.outline.empty()) {
+      const auto shape = mended(obstacle.outline, origin, "obstacle " + obstacle.id);
+      if (!shape) return Unexpected{shape.error()};
+      taken.insert(taken.end(), shape->begin(), shape->end());
+    } else if (obstacle.radius > Length{}) {
+      taken.push_back(disc(obstacle, origin));
+    }
   }
 
   FieldLand made{origin, *boundary, {}, {}};

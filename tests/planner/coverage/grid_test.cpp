@@ -3,6 +3,7 @@
 #include "core/random.hpp"
 #include "tests/planner/paper_case.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
@@ -171,6 +172,19 @@ TEST_CASE("grid: on convex fields a cell is workable just when its corners are i
       }
     }
   }
+}
+
+TEST_CASE("cells that an outlined obstacle touches are not workable") {
+  // A triangle over (4 .. 8, 4 .. 8) of a field of 10 x 10 cells of 1 m: on row y, 4 <= y < 8, it
+  // reaches from x = 4 to 8 - (y - 4): it touches 4, 3, 2 and 1 cells from column 4 on.
+  const Field field{.boundary = {at_m(0, 0), at_m(10, 0), at_m(10, 10), at_m(0, 10)},
+                    .holes = {},
+                    .obstacles = {outlined("shed", {at_m(4, 4), at_m(8, 4), at_m(4, 8)})}};
+  const auto grid = field_grid(field, metres(1), Length{});
+  REQUIRE(grid);
+  CHECK(std::count(grid->workable.begin(), grid->workable.end(), 1) == 100 - 10);
+  CHECK(grid->workable[grid->index(4, 7)] == 0);
+  CHECK(grid->workable[grid->index(5, 7)] == 1);
 }
 
 }  // namespace
