@@ -22,13 +22,13 @@ void draw_scale(Svg& svg, const View& view) {
   svg.text({x + length + 6, y + 1}, fmt::format("{} m", length_m), {.size = 10, .fill = ink});
 }
 
-std::vector<Pixel> pixels(const View& view, const Ring& ring) {
+}  // namespace
+
+std::vector<Pixel> pixels(const View& view, const std::vector<FieldPoint>& places) {
   std::vector<Pixel> chain;
-  for (const FieldPoint p : ring) chain.push_back(view.at(p));
+  for (const FieldPoint p : places) chain.push_back(view.at(p));
   return chain;
 }
-
-}  // namespace
 
 double round_step(double limit) {
   if (!(limit > 0) || !std::isfinite(limit)) return 1;

@@ -26,6 +26,9 @@ struct View {
 /// Shows the field and the stations as large as a page allows.
 View view_of(const mission::Scenario& scenario);
 
+/// Places on the map, in order.
+std::vector<Pixel> pixels(const View& view, const std::vector<FieldPoint>& places);
+
 /// A panel with its heading, the land, a north arrow and a scale bar.
 Svg land_panel(const View& view, const mission::Scenario& scenario, std::string_view heading);
 
