@@ -26,9 +26,6 @@ struct RouteSettings {
   std::uint64_t seed = 0;
 };
 
-/// Judged curves in one second of one core: what turns a time budget into a budget of work.
-inline constexpr double evaluations_per_second = 500'000;
-
 /// The search alone, whatever it ends with.
 RouteSearch search_route(const Scene& scene, const RouteSettings& settings);
 

@@ -15,7 +15,7 @@ using Terrain = std::variant<AnalyticTerrain, Raster>;
 /// tabulated over `extent` at the widest step whose proven error is at most `tolerance`, but
 /// coarser where that would take more than 2^22 samples; the surface says the error it has.
 ///
-/// Cost: one exact height per sample, 50 ns and up.
+/// Cost: one exact height per sample, 0.2 us with a dozen peaks.
 /// @pre tolerance > 0
 Surface surface(const Terrain& terrain, const Extent& extent, Length tolerance = metres(0.1));
 
