@@ -21,12 +21,29 @@ const T& with_id(const std::vector<T>& all, Id id) {
   return *found;
 }
 
+/// Detours of a radius that every aircraft flies and that no boom sweeps backwards in, with room
+/// for the rounding of arcs to corners.
+void fit_to_fleet(planner::AvoidanceSettings& avoidance, const Scenario& scenario) {
+  constexpr double corner_room = 1.25;
+  Length turn{}, half_swath{};
+  for (const Vehicle& v : scenario.uavs) {
+    turn = std::max(turn, v.min_turn_radius);
+    half_swath = std::max(half_swath, 0.5 * v.swath);
+  }
+  avoidance.turn_radius = std::max(corner_room * turn, half_swath);
+  avoidance.dubins_turns = turn > Length{};
+  avoidance.seed = scenario.seed;
+}
+
 }  // namespace
 
 scheduler::FleetProblem fleet_problem(const Scenario& scenario) {
   planner::CoverageModel coverage = scenario.coverage;
   if (auto* grid = std::get_if<planner::CoverageSettings>(&coverage)) grid->start = scenario.start;
-  if (auto* swath = std::get_if<planner::SwathSettings>(&coverage)) swath->near = scenario.start;
+  if (auto* swath = std::get_if<planner::SwathSettings>(&coverage)) {
+    swath->near = scenario.start;
+    if (swath->avoidance) fit_to_fleet(*swath->avoidance, scenario);
+  }
   return {.field = scenario.field,
           .coverage = std::move(coverage),
           .work_direction_deg = scenario.work_direction_deg,

@@ -22,7 +22,7 @@ constexpr std::uint64_t most_id = 1'000'000;
 constexpr std::array grid_keys{"straight_reward", "turn_reward", "min_region_cells"};
 constexpr std::array swath_keys{"hole_buffer_m",    "edges",       "last_row",
                                 "cells_may_differ", "min_strip_m", "headland_passes",
-                                "headland_turn",    "turn_cost_m"};
+                                "headland_turn",    "turn_cost_m", "avoidance"};
 
 planner::CoverageSettings read_grid(const Section& s, Length margin) {
   planner::CoverageSettings grid;
@@ -40,6 +40,24 @@ planner::CoverageSettings read_grid(const Section& s, Length margin) {
   return grid;
 }
 
+// Its turn radius is that of the fleet.
+std::optional<planner::AvoidanceSettings> read_avoidance(const Section& s) {
+  planner::AvoidanceSettings made;
+  const std::size_t method =
+      s.choice("method", {"none", "genetic", "exact", "split", "classic"}, 0);
+  made.safety = metres(s.number("safety_m", from_to(0, 100), 1));
+  made.length_weight = s.number("length_weight", from_to(0, 1), 0.5);
+  made.area_weight = s.number("area_weight", from_to(0, 1), 0.5);
+  made.iterations = static_cast<std::uint32_t>(s.whole("iterations", 0, 100'000, 200));
+  made.population = static_cast<std::uint32_t>(s.whole("population", 2, 10'000, 60));
+  using planner::AvoidanceMethod;
+  constexpr std::array methods{AvoidanceMethod::genetic, AvoidanceMethod::exact,
+                               AvoidanceMethod::split, AvoidanceMethod::classic};
+  if (method == 0) return std::nullopt;
+  made.method = methods[method - 1];
+  return made;
+}
+
 planner::SwathSettings read_swath(const Section& s, Length margin) {
   using namespace planner;
   SwathSettings swath;
@@ -53,6 +71,7 @@ planner::SwathSettings read_swath(const Section& s, Length margin) {
   swath.headland_turn =
       static_cast<HeadlandTurn>(s.choice("headland_turn", {"clockwise", "counter_clockwise"}, 1));
   swath.turn_cost = metres(s.number("turn_cost_m", from_to(0, 1000), 5));
+  swath.avoidance = read_avoidance(s.section("avoidance"));
   return swath;
 }
 

@@ -32,13 +32,36 @@ Json json(const FieldFigures& f) {
           {"cells", f.cells}};
 }
 
+Json json(const planner::AvoidanceFigures& f) {
+  return {{"missed_m2", rounded(f.missed.base())},
+          {"repeated_m2", rounded(f.repeated.base())},
+          {"extra_m", rounded(f.extra.base())}};
+}
+
+Json json(const planner::AvoidanceRecord& r) {
+  Json made = json(r.planned);
+  made.update({{"targets", r.planned.targets},
+               {"crowds", r.planned.crowds},
+               {"detours", r.planned.detours},
+               {"closed", r.planned.closed},
+               {"apart", r.planned.apart},
+               {"exact", r.planned.exact},
+               {"iterations", r.planned.iterations},
+               {"dubins_turns", r.turns},
+               {"turned_on_the_spot", r.unturned},
+               {"unjoined", r.unjoined},
+               {"classic", json(r.classic)}});
+  return made;
+}
+
 Json json(const planner::SweepFigures& s) {
   return {{"parts", s.parts},
           {"sprayed_m", rounded(s.sprayed.base())},
           {"route_m", rounded(s.route.base())},
           {"order_bound_m", rounded(s.order_bound.base())},
           {"order_exact", s.order_exact},
-          {"dropped_m2", rounded(s.dropped.base())}};
+          {"dropped_m2", rounded(s.dropped.base())},
+          {"avoidance", s.avoidance ? json(*s.avoidance) : Json{}}};
 }
 
 Json json(const CoverageFigures& c) {

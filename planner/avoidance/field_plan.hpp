@@ -4,28 +4,13 @@
 #include "core/expected.hpp"
 #include "core/field.hpp"
 #include "planner/avoidance/room.hpp"
+#include "planner/avoidance/settings.hpp"
 #include "planner/plan_error.hpp"
 
 #include <cstdint>
 #include <vector>
 
 namespace furrow::planner {
-
-enum class AvoidanceMethod {
-  genetic,  ///< Side or split for each crowd by genetic search, per pass and then for all.
-  exact,    ///< The same by enumeration; genetic where a group of crowds is too large for it.
-  classic,  ///< Half circles on the left, the yardstick; neither clearance nor flyable.
-  split,    ///< The valve always closed on the way around.
-};
-
-struct AvoidanceSettings {
-  AvoidanceMethod method = AvoidanceMethod::genetic;
-  Length turn_radius;                             ///< R_z > 0.
-  double length_weight = 0.5, area_weight = 0.5;  ///< Of fitness, >= 0.
-  std::uint32_t population = 60, iterations = 200;
-  double target_fitness = 0;
-  std::uint64_t seed = 0;
-};
 
 /// The room of a field: inside boundary and holes, clear of obstacles.
 ///

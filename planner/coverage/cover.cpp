@@ -14,7 +14,9 @@ Expected<Coverage, PlanError> walked(const Field& field, Length swath,
 
 Expected<Coverage, PlanError> swept(const Field& field, Length swath,
                                     const SwathSettings& settings) {
-  const auto swaths = swath_coverage(field, swath, settings);
+  std::optional<AvoidanceRecord> record;
+  const auto swaths = settings.avoidance ? coverage_around(field, swath, settings, record)
+                                         : swath_coverage(field, swath, settings);
   if (!swaths) return Unexpected{swaths.error()};
   return Coverage{swath_route(*swaths, swath), swaths->direction_deg,
                   SweepFigures{.areas = swaths->areas,
@@ -23,7 +25,8 @@ Expected<Coverage, PlanError> swept(const Field& field, Length swath,
                                .route = swaths->route,
                                .order_bound = swaths->order_bound,
                                .order_exact = swaths->order_exact,
-                               .parts = static_cast<std::uint32_t>(swaths->parts)}};
+                               .parts = static_cast<std::uint32_t>(swaths->parts),
+                               .avoidance = record}};
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #pragma once
 // The one door to coverage: every model ends in a Route.
 
+#include "planner/avoidance/around.hpp"
 #include "planner/coverage/swath/swath.hpp"
 #include "planner/coverage/walk.hpp"
 
@@ -21,6 +22,7 @@ struct SweepFigures {
   Length order_bound;     ///< No order of the same groups of rows is shorter.
   bool order_exact;
   std::uint32_t parts;  ///< Pieces into which margin and holes split the field.
+  std::optional<AvoidanceRecord> avoidance{};  ///< Where obstacles are flown around.
 };
 
 struct Coverage {

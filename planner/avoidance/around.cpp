@@ -1,0 +1,230 @@
+#include "planner/avoidance/around.hpp"
+
+#include "core/require.hpp"
+#include "planner/avoidance/turns.hpp"
+#include "planner/coverage/geos.hpp"
+#include "planner/coverage/swath/inset.hpp"
+#include "planner/coverage/swath/inside_paths.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace furrow::planner {
+namespace {
+
+constexpr double same_m = 1e-6;
+constexpr double corner_room_m = 0.3;  // that a rounded corner may take of a way's clearance
+
+PathM plane(const std::vector<FieldPoint>& line) {
+  PathM path;
+  for (const FieldPoint p : line) path.push_back({p.x.base(), p.y.base()});
+  return path;
+}
+
+std::vector<FieldPoint> places(const PathM& path) {
+  std::vector<FieldPoint> line;
+  for (const PointM p : path) line.push_back(at_m(p.x, p.y));
+  return line;
+}
+
+// Shortest ways between strips, around obstacles and inside the field.
+class Ways {
+ public:
+  Ways(const Field& field, const SwathSettings& settings, const Room& room)
+      : field_{field}, settings_{settings}, room_{room} {}
+
+  // Both ends included; nothing if there is none.
+  std::optional<PathM> shortest(PointM from, PointM to) {
+    for (const double more_m : {corner_room_m, 0.0}) {
+      for (const InsidePaths& part : parts(more_m)) {
+        if (auto way = part.shortest(from, to)) return way;
+      }
+    }
+    return std::nullopt;
+  }
+
+ private:
+  // The flight area less obstacle circles that are wider by `more_m`.
+  const std::vector<InsidePaths>& parts(double more_m) {
+    std::vector<InsidePaths>& made = more_m > 0 ? wide_ : tight_;
+    if (!made.empty()) return made;
+    Field ground = field_;
+    for (Obstacle& o : ground.obstacles) {
+      o.radius += settings_.avoidance->safety + metres(more_m);
+    }
+    const auto land = field_land(ground, settings_.margin, settings_.hole_buffer);
+    if (!land) return made;
+    for (LandPart part : land->flight) {
+      for (PointM& p : part.outer) p = p + land->origin;
+      for (RingM& hole : part.holes) {
+        for (PointM& p : hole) p = p + land->origin;
+      }
+      made.emplace_back(part);
+    }
+    return made;
+  }
+
+  const Field& field_;
+  const SwathSettings& settings_;
+  const Room& room_;
+  std::vector<InsidePaths> wide_, tight_;
+};
+
+double heading(FieldPoint from, FieldPoint to) {
+  return std::atan2((to.y - from.y).base(), (to.x - from.x).base());
+}
+
+// Puts strips around obstacles back together, one after another.
+class Joiner {
+ public:
+  Joiner(const Field& field, const SwathSettings& settings, const Room& room,
+         AvoidanceRecord& record)
+      : settings_{settings}, room_{room}, ways_{field, settings, room}, record_{record} {}
+
+  void add(const SwathStrip& straight, const AvoidedStrip& around) {
+    std::vector<FieldPoint> given = straight.approach;
+    bool is_first_of_part = given.empty();
+    std::vector<FieldPoint> closed;  // flown with the valve closed since the last strip
+    for (const Stretch& stretch : around.stretches) {
+      if (!stretch.spraying) {
+        closed = stretch.line;
+        continue;
+      }
+      if (is_crumb(stretch.line)) continue;
+      std::vector<FieldPoint> approach;
+      if (!closed.empty() && follows(closed.front()) && follows(closed.back(), stretch.line)) {
+        approach = closed;
+      } else if (!strips_.empty() && !is_first_of_part) {
+        approach = joined(given, stretch.line);
+      }
+      append(stretch.line, straight.width, std::move(approach));
+      closed.clear();
+      given.clear();
+      is_first_of_part = false;
+    }
+  }
+
+  std::vector<SwathStrip> strips() && { return std::move(strips_); }
+
+ private:
+  bool follows(FieldPoint place) const {
+    return !strips_.empty() && distance(strips_.back().to, place) < metres(same_m);
+  }
+  static bool follows(FieldPoint place, const std::vector<FieldPoint>& line) {
+    return distance(place, line.front()) < metres(same_m);
+  }
+
+  bool is_crumb(const std::vector<FieldPoint>& line) const {
+    return metres(length_m(plane(line))) < std::max(settings_.min_strip, metres(0.5));
+  }
+
+  // The way to a stretch from the strip before; `given` is how they were joined without obstacles.
+  std::vector<FieldPoint> joined(const std::vector<FieldPoint>& given,
+                                 const std::vector<FieldPoint>& line) {
+    const FieldPoint from = strips_.back().to, to = line.front();
+    if (distance(from, to) < metres(same_m)) return {from, to};
+    if (auto turn = dubins(line)) return *turn;
+    const bool is_given = !given.empty() && distance(given.front(), from) < metres(same_m) &&
+                          distance(given.back(), to) < metres(same_m);
+    if (is_given && room_.is_clear(plane(given))) return given;
+    const PointM a{from.x.base(), from.y.base()}, b{to.x.base(), to.y.base()};
+    if (const auto way = ways_.shortest(a, b)) return places(*way);
+    ++record_.unjoined;
+    return {from, to};
+  }
+
+  // A turn of the aircraft's own radius, where it needs one and there is room inside.
+  std::optional<std::vector<FieldPoint>> dubins(const std::vector<FieldPoint>& line) {
+    if (!settings_.avoidance->dubins_turns) return std::nullopt;
+    const SwathStrip& last = strips_.back();
+    const auto turn = strip_turn({last.to, heading(last.from, last.to)},
+                                 {line.front(), heading(line[0], line[1])},
+                                 settings_.avoidance->turn_radius, room_);
+    if (turn && turn->is_inside) {
+      ++record_.turns;
+      return turn->way;
+    }
+    ++record_.unturned;
+    return std::nullopt;
+  }
+
+  void append(const std::vector<FieldPoint>& line, Length width, std::vector<FieldPoint> approach) {
+    for (std::size_t i = 1; i < line.size(); ++i) {
+      if (distance(line[i - 1], line[i]) < metres(same_m)) continue;
+      if (i > 1) approach = {line[i - 1], line[i - 1]};
+      strips_.push_back({line[i - 1], line[i], width, std::move(approach)});
+    }
+  }
+
+  const SwathSettings& settings_;
+  const Room& room_;
+  Ways ways_;
+  AvoidanceRecord& record_;
+  std::vector<SwathStrip> strips_;
+};
+
+std::vector<SprayedRun> runs_of(const std::vector<SwathStrip>& strips, PointM origin) {
+  std::vector<SprayedRun> runs;
+  for (std::size_t i = 0; i < strips.size(); ++i) {
+    const PathM leg = plane({strips[i].from, strips[i].to});
+    const bool goes_on = i > 0 && distance(strips[i - 1].to, strips[i].from) < metres(same_m) &&
+                         strips[i - 1].width == strips[i].width;
+    if (goes_on) {
+      runs.back().path.push_back(leg[1] - origin);
+    } else {
+      runs.push_back({{leg[0] - origin, leg[1] - origin}, strips[i].width.base()});
+    }
+  }
+  return runs;
+}
+
+// Lengths and areas of what the strips have become.
+void measure(SwathCoverage& made, const FieldLand& land) {
+  made.sprayed = made.route = {};
+  for (const SwathStrip& strip : made.strips) {
+    made.sprayed += distance(strip.from, strip.to);
+    made.route += metres(length_m(plane(strip.approach)));
+  }
+  made.route += made.sprayed;
+  made.areas = sprayed_areas(runs_of(made.strips, land.origin), land.land);
+}
+
+}  // namespace
+
+Expected<SwathCoverage, PlanError> coverage_around(const Field& field, Length swath,
+                                                   const SwathSettings& settings,
+                                                   std::optional<AvoidanceRecord>& record) {
+  require(settings.avoidance.has_value(), "obstacles are flown around by settings");
+  SwathSettings straight = settings;
+  straight.avoidance.reset();
+  Field ground = field;
+  ground.obstacles.clear();
+  auto made = swath_coverage(ground, swath, straight);
+  if (!made) return made;
+  const auto land = field_land(field, settings.margin, settings.hole_buffer);
+  if (!land) return Unexpected{land.error()};
+  const auto room =
+      room_of(field, settings.margin, settings.hole_buffer, settings.avoidance->safety);
+  if (!room) return Unexpected{room.error()};
+
+  std::vector<StraightStrip> strips;
+  for (const SwathStrip& s : made->strips) strips.push_back({s.from, s.to, s.width});
+  const AvoidancePlan plan = plan_avoidance(strips, *room, *settings.avoidance);
+  AvoidanceSettings half_circles = *settings.avoidance;
+  half_circles.method = AvoidanceMethod::classic;
+  record = AvoidanceRecord{.planned = plan.figures,
+                           .classic = plan_avoidance(strips, *room, half_circles).figures};
+
+  Joiner joiner{field, settings, *room, *record};
+  for (std::size_t i = 0; i < plan.strips.size(); ++i) joiner.add(made->strips[i], plan.strips[i]);
+  made->strips = std::move(joiner).strips();
+  if (made->strips.empty()) {
+    return Unexpected{
+        PlanError{PlanFault::nothing_to_spray, "obstacles leave no strip that can be flown"}};
+  }
+  made->strips.front().approach.clear();
+  measure(*made, *land);
+  return made;
+}
+
+}  // namespace furrow::planner

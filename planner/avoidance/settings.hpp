@@ -1,0 +1,29 @@
+#pragma once
+
+#include "core/units.hpp"
+
+#include <cstdint>
+
+namespace furrow::planner {
+
+enum class AvoidanceMethod {
+  genetic,  ///< Side or split for each crowd by genetic search, per pass and then for all.
+  exact,    ///< The same by enumeration; genetic where a group of crowds is too large for it.
+  classic,  ///< Half circles on the left, the yardstick; neither clearance nor flyable.
+  split,    ///< The valve always closed on the way around.
+};
+
+/// How strips are led around round obstacles.
+struct AvoidanceSettings {
+  AvoidanceMethod method = AvoidanceMethod::genetic;
+  Length safety{};     ///< From obstacles, >= 0.
+  Length turn_radius;  ///< R_z > 0.
+  /// Whether strips are joined by Dubins turns of that radius; otherwise aircraft turn on the spot.
+  bool dubins_turns = false;
+  double length_weight = 0.5, area_weight = 0.5;    ///< Of fitness, >= 0.
+  std::uint32_t population = 60, iterations = 200;  ///< Of the genetic search.
+  double target_fitness = 0;                        ///< At which it stops.
+  std::uint64_t seed = 0;
+};
+
+}  // namespace furrow::planner
