@@ -171,10 +171,16 @@ double lower_bound_s(const FleetProblem& problem, const Sketch& s, const Solved&
 }  // namespace
 
 Expected<planner::FerryMap, PlanError> ferry_map(const FleetProblem& problem) {
+  // Rounding at the corners around a circle must not keep strips' ends out of the ferries' land.
+  constexpr double kept_safety = 0.9;
+  Field field = problem.field;
   planner::FerryRule rule{.corner_cut = 0.5 * problem.vehicles.front().swath};
   std::visit([&](const auto& settings) { rule.margin = settings.margin; }, problem.coverage);
   if (const auto* swath = std::get_if<planner::SwathSettings>(&problem.coverage)) {
     rule.hole_buffer = swath->hole_buffer;
+    if (swath->avoidance) {
+      for (Obstacle& o : field.obstacles) o.radius += kept_safety * swath->avoidance->safety;
+    }
   }
   std::vector<FieldPoint> stands;
   const auto add = [&](FieldPoint at) {
@@ -182,7 +188,7 @@ Expected<planner::FerryMap, PlanError> ferry_map(const FleetProblem& problem) {
   };
   for (const Station& station : problem.stations) add(station.position);
   for (const Vehicle& vehicle : problem.vehicles) add(vehicle.home);
-  return planner::FerryMap::over(problem.field, rule, stands);
+  return planner::FerryMap::over(field, rule, stands);
 }
 
 Expected<FleetPlan, PlanError> plan_fleet(const FleetProblem& problem) {

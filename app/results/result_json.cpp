@@ -40,7 +40,8 @@ Json json(const planner::AvoidanceFigures& f) {
 
 Json json(const planner::AvoidanceRecord& r) {
   Json made = json(r.planned);
-  made.update({{"targets", r.planned.targets},
+  made.update({{"safety_m", rounded(r.safety.base())},
+               {"targets", r.planned.targets},
                {"crowds", r.planned.crowds},
                {"detours", r.planned.detours},
                {"closed", r.planned.closed},

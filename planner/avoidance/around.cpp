@@ -213,7 +213,8 @@ Expected<SwathCoverage, PlanError> coverage_around(const Field& field, Length sw
   AvoidanceSettings half_circles = *settings.avoidance;
   half_circles.method = AvoidanceMethod::classic;
   record = AvoidanceRecord{.planned = plan.figures,
-                           .classic = plan_avoidance(strips, *room, half_circles).figures};
+                           .classic = plan_avoidance(strips, *room, half_circles).figures,
+                           .safety = settings.avoidance->safety};
 
   Joiner joiner{field, settings, *room, *record};
   for (std::size_t i = 0; i < plan.strips.size(); ++i) joiner.add(made->strips[i], plan.strips[i]);

@@ -10,6 +10,7 @@ namespace furrow::planner {
 /// What flying around obstacles came to, beside what half circles would have.
 struct AvoidanceRecord {
   AvoidanceFigures planned, classic;
+  Length safety{};  ///< That every planned way keeps from obstacles.
   /// Ways between strips that are Dubins turns inside the field; and those for which none was
   /// found among the obstacles or inside, which aircraft turn on the spot.
   std::size_t turns = 0, unturned = 0;

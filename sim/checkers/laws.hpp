@@ -14,6 +14,8 @@
 //          L11 first come first served
 //          L12 each refill counted once; mix and packs do not run out here, so "stock never
 //              negative" has nothing to judge
+// Clear    L22 flown tracks keep nine tenths of the safety distance from obstacles that the plan
+//              flies around, less the bias of the aircraft's fixes
 // Senders  L21 nobody unknown is spoken of: the other laws go on without what such messages say
 // Log      L17 every sender's log is complete and in order, so equal runs have equal digests
 
@@ -63,6 +65,7 @@ std::unique_ptr<Checker> energy_laws(const Facts& facts);
 std::unique_ptr<Checker> station_laws(const Facts& facts);
 std::unique_ptr<Checker> log_laws(const Facts& facts);
 std::unique_ptr<Checker> sender_laws(const Facts& facts);
+std::unique_ptr<Checker> clearance_laws(const Facts& facts);
 
 /// Every violation in a log, by time.
 std::vector<Violation> violations(const Facts& facts, const std::vector<Envelope>& log,

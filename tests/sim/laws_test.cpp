@@ -431,6 +431,26 @@ TEST_CASE("laws: L8 windows under way may have been sprayed without a record yet
   }
 }
 
+TEST_CASE("laws: L22 a track too near to an obstacle that the plan flies around", "[sim]") {
+  // A tree of 0.5 m, 1 m of safety: nine tenths of it are left at 1.4 m from its centre.
+  Facts f = facts();
+  f.field.obstacles = {{"tree", at_m(20, 4), metres(0.5)}};
+  const auto broken_at = [&](double away_m) {
+    Script s = clean_run();
+    FlightRecord record = flight({0, 0});
+    record.track = {{at(6), at_m(20 - away_m, 4), false}};
+    s.say(node(one), 6, record);
+    return broken_laws(f, s);
+  };
+  CHECK(broken_at(1.3).empty());  // no plan to keep clear
+  f.plan.sweep.emplace();
+  f.plan.sweep->avoidance.emplace().safety = metres(1);
+  CHECK(broken_at(1.41).empty());
+  CHECK(broken_at(1.39) == std::vector<std::string>{"L22"});
+  f.plan.uavs[0].vehicle.gnss.bias = metres(0.5);
+  CHECK(broken_at(1.0).empty());
+}
+
 TEST_CASE("laws: L21 messages of strangers are told once and judged no further", "[sim]") {
   constexpr AgentId stranger{9};
   Script s = clean_run();

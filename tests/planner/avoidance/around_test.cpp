@@ -1,0 +1,100 @@
+#include "planner/avoidance/around.hpp"
+
+#include "planner/coverage/cover.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+using namespace furrow;
+using namespace furrow::planner;
+
+namespace {
+
+Field orchard() {
+  Field field{{at_m(0, 0), at_m(60, 0), at_m(60, 120), at_m(0, 120)}, {}, {}};
+  field.obstacles = {{"a", at_m(15.5, 60), metres(1)},
+                     {"b", at_m(33, 40), metres(1.5)},
+                     {"c", at_m(45, 80), metres(0.5)},
+                     {"end", at_m(27, 117), metres(1)}};
+  return field;
+}
+
+SwathSettings settings_around() {
+  SwathSettings s;
+  s.direction_deg = 0;
+  s.avoidance.emplace();
+  s.avoidance->safety = metres(1.5);
+  s.avoidance->turn_radius = metres(3);
+  return s;
+}
+
+double nearest_m(const std::vector<FieldPoint>& line, FieldPoint p) {
+  PathM path;
+  for (const FieldPoint at : line) path.push_back({at.x.base(), at.y.base()});
+  return distance_m({p.x.base(), p.y.base()}, path);
+}
+
+}  // namespace
+
+TEST_CASE("rows run on past trees: every strip and every way between keeps clear") {
+  const Field field = orchard();
+  std::optional<AvoidanceRecord> record;
+  const auto made = coverage_around(field, metres(6), settings_around(), record);
+  REQUIRE(made);
+  REQUIRE(record);
+  CHECK(record->planned.targets >= 4);
+  CHECK(record->planned.apart >= 1);  // at the end of its row
+  CHECK(record->unjoined == 0);
+  for (const Obstacle& o : field.obstacles) {
+    for (const SwathStrip& strip : made->strips) {
+      CHECK(nearest_m({strip.from, strip.to}, o.center) >= o.radius.base() + 1.5 - 1e-5);
+      if (strip.approach.empty()) continue;
+      CHECK(nearest_m(strip.approach, o.center) >= o.radius.base() + 1.5 - 1e-5);
+    }
+  }
+}
+
+TEST_CASE("strips and ways of a detour follow one another without a gap") {
+  std::optional<AvoidanceRecord> record;
+  const auto made = coverage_around(orchard(), metres(6), settings_around(), record);
+  REQUIRE(made);
+  for (std::size_t i = 1; i < made->strips.size(); ++i) {
+    const SwathStrip& strip = made->strips[i];
+    REQUIRE(strip.approach.size() >= 2);
+    CHECK(distance(made->strips[i - 1].to, strip.approach.front()).base() < 1e-5);
+    CHECK(distance(strip.approach.back(), strip.from).base() < 1e-5);
+  }
+}
+
+TEST_CASE("less is missed and repeated around trees than where they end rows") {
+  const auto around = cover(orchard(), metres(6), settings_around());
+  REQUIRE(around);
+  REQUIRE(around->sweep->avoidance);
+  const AvoidanceRecord& record = *around->sweep->avoidance;
+  CHECK(record.planned.missed + record.planned.repeated <
+        record.classic.missed + record.classic.repeated);
+  SwathSettings ending = settings_around();
+  ending.avoidance.reset();
+  CHECK_FALSE(cover(orchard(), metres(6), ending)->sweep->avoidance);
+}
+
+TEST_CASE("aircraft with a turn radius join strips by turns inside the field or say otherwise") {
+  SwathSettings settings = settings_around();
+  settings.avoidance->dubins_turns = true;
+  settings.margin = metres(3);
+  std::optional<AvoidanceRecord> record;
+  const auto made = coverage_around(orchard(), metres(6), settings, record);
+  REQUIRE(made);
+  CHECK(record->turns + record->unturned >= 8);  // nine rows or more
+}
+
+TEST_CASE("a field that obstacles leave no strip of is refused") {
+  Field alley{{at_m(0, 0), at_m(6, 0), at_m(6, 14), at_m(0, 14)}, {}, {}};
+  alley.obstacles = {{"block", at_m(3, 7), metres(2.5)}};
+  SwathSettings settings = settings_around();
+  settings.avoidance->safety = metres(5);
+  std::optional<AvoidanceRecord> record;
+  const auto none = coverage_around(alley, metres(6), settings, record);
+  REQUIRE_FALSE(none);
+  CHECK(none.error().fault == PlanFault::nothing_to_spray);
+}
