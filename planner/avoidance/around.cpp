@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 
 namespace furrow::planner {
 namespace {
@@ -106,6 +107,9 @@ class Joiner {
 
   std::vector<SwathStrip> strips() && { return std::move(strips_); }
 
+  // Two ends that no clear way inside the field joins.
+  std::optional<std::pair<FieldPoint, FieldPoint>> gap() const { return gap_; }
+
  private:
   bool follows(FieldPoint place) const {
     return !strips_.empty() && distance(strips_.back().to, place) < metres(same_m);
@@ -129,17 +133,25 @@ class Joiner {
     if (is_given && room_.is_clear(plane(given))) return given;
     const PointM a{from.x.base(), from.y.base()}, b{to.x.base(), to.y.base()};
     if (const auto way = ways_.shortest(a, b)) return places(*way);
+    if (room_.is_free({a, b})) return {from, to};
+    // A strip that ends in the wedge between a circle and its polygon has ways that a turn finds.
+    if (const auto turn = turn_to(line); turn && turn->is_inside) return turn->way;
     ++record_.unjoined;
+    if (!gap_) gap_ = {from, to};
     return {from, to};
+  }
+
+  std::optional<Turn> turn_to(const std::vector<FieldPoint>& line) const {
+    const SwathStrip& last = strips_.back();
+    return strip_turn({last.to, heading(last.from, last.to)},
+                      {line.front(), heading(line[0], line[1])}, settings_.avoidance->turn_radius,
+                      room_);
   }
 
   // A turn of the aircraft's own radius, where it needs one and there is room inside.
   std::optional<std::vector<FieldPoint>> dubins(const std::vector<FieldPoint>& line) {
     if (!settings_.avoidance->dubins_turns) return std::nullopt;
-    const SwathStrip& last = strips_.back();
-    const auto turn = strip_turn({last.to, heading(last.from, last.to)},
-                                 {line.front(), heading(line[0], line[1])},
-                                 settings_.avoidance->turn_radius, room_);
+    auto turn = turn_to(line);
     if (turn && turn->is_inside) {
       ++record_.turns;
       return turn->way;
@@ -161,6 +173,7 @@ class Joiner {
   Ways ways_;
   AvoidanceRecord& record_;
   std::vector<SwathStrip> strips_;
+  std::optional<std::pair<FieldPoint, FieldPoint>> gap_;
 };
 
 std::vector<SprayedRun> runs_of(const std::vector<SwathStrip>& strips, PointM origin) {
@@ -218,6 +231,14 @@ Expected<SwathCoverage, PlanError> coverage_around(const Field& field, Length sw
 
   Joiner joiner{field, settings, *room, *record};
   for (std::size_t i = 0; i < plan.strips.size(); ++i) joiner.add(made->strips[i], plan.strips[i]);
+  if (const auto gap = joiner.gap()) {
+    return Unexpected{PlanError{
+        PlanFault::field_invalid,
+        fmt::format("obstacles cut the field: no way leads from ({:.1f}, {:.1f}) to ({:.1f}, "
+                    "{:.1f}) m with {} m to spare",
+                    gap->first.x.base(), gap->first.y.base(), gap->second.x.base(),
+                    gap->second.y.base(), settings.avoidance->safety.base())}};
+  }
   made->strips = std::move(joiner).strips();
   if (made->strips.empty()) {
     return Unexpected{

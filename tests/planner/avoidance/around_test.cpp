@@ -101,3 +101,12 @@ TEST_CASE("a field that obstacles leave no strip of is refused") {
   REQUIRE_FALSE(none);
   CHECK(none.error().fault == PlanFault::nothing_to_spray);
 }
+
+TEST_CASE("an obstacle across an alley is refused with the place") {
+  Field alley{{at_m(0, 0), at_m(6, 0), at_m(6, 60), at_m(0, 60)}, {}, {}};
+  alley.obstacles = {{"block", at_m(3, 30), metres(2.5)}};
+  std::optional<AvoidanceRecord> record;
+  const auto none = coverage_around(alley, metres(6), settings_around(), record);
+  REQUIRE_FALSE(none);
+  CHECK(none.error().detail.find("obstacles cut the field: no way leads from (3.0, ") == 0);
+}
