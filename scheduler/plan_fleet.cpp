@@ -172,7 +172,7 @@ double lower_bound_s(const FleetProblem& problem, const Sketch& s, const Solved&
 
 Expected<planner::FerryMap, PlanError> ferry_map(const FleetProblem& problem) {
   // Rounding at the corners around a circle must not keep strips' ends out of the ferries' land.
-  constexpr double kept_safety = 0.9;
+  constexpr double kept_safety = 0.96;
   Field field = problem.field;
   planner::FerryRule rule{.corner_cut = 0.5 * problem.vehicles.front().swath};
   std::visit([&](const auto& settings) { rule.margin = settings.margin; }, problem.coverage);
