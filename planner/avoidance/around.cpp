@@ -31,8 +31,7 @@ std::vector<FieldPoint> places(const PathM& path) {
 // Shortest ways between strips, around obstacles and inside the field.
 class Ways {
  public:
-  Ways(const Field& field, const SwathSettings& settings, const Room& room)
-      : field_{field}, settings_{settings}, room_{room} {}
+  Ways(const Field& field, const SwathSettings& settings) : field_{field}, settings_{settings} {}
 
   // Both ends included; nothing if there is none.
   std::optional<PathM> shortest(PointM from, PointM to) {
@@ -67,7 +66,6 @@ class Ways {
 
   const Field& field_;
   const SwathSettings& settings_;
-  const Room& room_;
   std::vector<InsidePaths> wide_, tight_;
 };
 
@@ -80,7 +78,7 @@ class Joiner {
  public:
   Joiner(const Field& field, const SwathSettings& settings, const Room& room,
          AvoidanceRecord& record)
-      : settings_{settings}, room_{room}, ways_{field, settings, room}, record_{record} {}
+      : settings_{settings}, room_{room}, ways_{field, settings}, record_{record} {}
 
   void add(const SwathStrip& straight, const AvoidedStrip& around) {
     std::vector<FieldPoint> given = straight.approach;
@@ -98,7 +96,7 @@ class Joiner {
       } else if (!strips_.empty() && !is_first_of_part) {
         approach = joined(given, stretch.line);
       }
-      append(stretch.line, straight.width, std::move(approach));
+      append(stretch.line, straight.width, approach);
       closed.clear();
       given.clear();
       is_first_of_part = false;
@@ -160,11 +158,13 @@ class Joiner {
     return std::nullopt;
   }
 
-  void append(const std::vector<FieldPoint>& line, Length width, std::vector<FieldPoint> approach) {
+  void append(const std::vector<FieldPoint>& line, Length width,
+              const std::vector<FieldPoint>& approach) {
     for (std::size_t i = 1; i < line.size(); ++i) {
       if (distance(line[i - 1], line[i]) < metres(same_m)) continue;
-      if (i > 1) approach = {line[i - 1], line[i - 1]};
-      strips_.push_back({line[i - 1], line[i], width, std::move(approach)});
+      strips_.push_back({line[i - 1], line[i], width, {}});
+      // A leg begins where the one before ends.
+      strips_.back().approach = i == 1 ? approach : std::vector{line[i - 1], line[i - 1]};
     }
   }
 

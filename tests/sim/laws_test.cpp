@@ -440,6 +440,7 @@ TEST_CASE("laws: L22 a track too near to an obstacle that the plan flies around"
     FlightRecord record = flight({0, 0});
     record.track = {{at(6), at_m(20 - away_m, 4), false}};
     s.say(node(one), 6, record);
+    s.say(scheduler_node(), 7, finished(4, 0));
     return broken_laws(f, s);
   };
   CHECK(broken_at(1.3).empty());  // no plan to keep clear
