@@ -179,7 +179,9 @@ Expected<planner::FerryMap, PlanError> ferry_map(const FleetProblem& problem) {
   if (const auto* swath = std::get_if<planner::SwathSettings>(&problem.coverage)) {
     rule.hole_buffer = swath->hole_buffer;
     if (swath->avoidance) {
-      for (Obstacle& o : field.obstacles) o.radius += kept_safety * swath->avoidance->safety;
+      for (Obstacle& o : field.obstacles) {
+        if (o.outline.empty()) o.radius += kept_safety * swath->avoidance->safety;
+      }
     }
   }
   std::vector<FieldPoint> stands;

@@ -211,7 +211,7 @@ Expected<SwathCoverage, PlanError> coverage_around(const Field& field, Length sw
   SwathSettings straight = settings;
   straight.avoidance.reset();
   Field ground = field;
-  ground.obstacles.clear();
+  std::erase_if(ground.obstacles, [](const Obstacle& o) { return o.outline.empty(); });
   auto made = swath_coverage(ground, swath, straight);
   if (!made) return made;
   const auto land = field_land(field, settings.margin, settings.hole_buffer);

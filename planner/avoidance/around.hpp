@@ -18,7 +18,7 @@ struct AvoidanceRecord {
 };
 
 /// `swath_coverage` with rows that run on past round obstacles and fly around them. Each leg of a
-/// detour is a strip of its own that begins where the one before ends.
+/// detour is a strip of its own that begins where the one before ends. Outlined obstacles end rows.
 ///
 /// @pre    `settings.avoidance` has a value.
 /// @param record  Set where there is a coverage.

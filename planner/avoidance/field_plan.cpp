@@ -160,7 +160,7 @@ AvoidancePlan classic_plan(const FieldOptions& field, const Room& room, Avoidanc
 Expected<Room, PlanError> room_of(const Field& field, Length margin, Length hole_buffer,
                                   Length safety) {
   Field ground = field;
-  ground.obstacles.clear();
+  std::erase_if(ground.obstacles, [](const Obstacle& o) { return o.outline.empty(); });
   auto land = field_land(ground, margin, hole_buffer);
   if (!land) return Unexpected{land.error()};
   for (LandPart& part : land->flight) {
@@ -171,6 +171,7 @@ Expected<Room, PlanError> room_of(const Field& field, Length margin, Length hole
   }
   std::vector<CircleM> circles;
   for (const Obstacle& o : field.obstacles) {
+    if (!o.outline.empty()) continue;
     circles.push_back({plane(o.center), (o.radius + safety).base()});
   }
   return Room{std::move(circles), {}, land->flight};

@@ -12,10 +12,10 @@
 
 namespace furrow::planner {
 
-/// The room of a field: inside boundary and holes, clear of obstacles.
+/// The room of a field: inside boundary, holes and outlined obstacles, clear of round ones.
 ///
-/// @param margin  From boundary and holes, >= 0.
-/// @param safety  From obstacles, >= 0.
+/// @param margin  From boundary, holes and outlines, >= 0.
+/// @param safety  From round obstacles, >= 0.
 /// @error  As `field_land`.
 Expected<Room, PlanError> room_of(const Field& field, Length margin, Length hole_buffer,
                                   Length safety);

@@ -15,6 +15,7 @@ class ClearanceLaws final : public Checker {
   explicit ClearanceLaws(const Facts& facts) : obstacles_{facts.field.obstacles} {
     const auto& sweep = facts.plan.sweep;
     if (!sweep || !sweep->avoidance) obstacles_.clear();
+    std::erase_if(obstacles_, [](const Obstacle& o) { return !o.outline.empty(); });
     if (obstacles_.empty()) return;
     for (const auto& uav : facts.plan.uavs) {
       kept_[uav.vehicle.id] =

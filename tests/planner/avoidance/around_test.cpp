@@ -102,6 +102,21 @@ TEST_CASE("a field that obstacles leave no strip of is refused") {
   CHECK(none.error().fault == PlanFault::nothing_to_spray);
 }
 
+TEST_CASE("an outlined obstacle ends rows while trees are flown around") {
+  Field field = orchard();
+  field.obstacles.push_back(
+      outlined("pond", {at_m(38, 90), at_m(52, 90), at_m(52, 100), at_m(38, 100)}));
+  std::optional<AvoidanceRecord> record;
+  const auto made = coverage_around(field, metres(6), settings_around(), record);
+  REQUIRE(made);
+  for (const SwathStrip& strip : made->strips) {
+    const FieldPoint middle =
+        at_m((strip.from.x + strip.to.x).base() / 2, (strip.from.y + strip.to.y).base() / 2);
+    CHECK(depth_in(field.obstacles.back(), middle) <= metres(1e-6));
+  }
+  CHECK(record->planned.detours >= 3);
+}
+
 TEST_CASE("an obstacle across an alley is refused with the place") {
   Field alley{{at_m(0, 0), at_m(6, 0), at_m(6, 60), at_m(0, 60)}, {}, {}};
   alley.obstacles = {{"block", at_m(3, 30), metres(2.5)}};
