@@ -14,7 +14,8 @@ namespace furrow::planner {
 namespace {
 
 constexpr double same_m = 1e-6;
-constexpr double corner_room_m = 0.3;  // that a rounded corner may take of a way's clearance
+constexpr double tracking_room_m = 0.1;  // that aircraft of 10 Hz stray from arcs in wind
+constexpr double corner_room_m = 0.3;    // that a rounded corner may take of a way's clearance
 
 PathM plane(const std::vector<FieldPoint>& line) {
   PathM path;
@@ -50,7 +51,7 @@ class Ways {
     if (!made.empty()) return made;
     Field ground = field_;
     for (Obstacle& o : ground.obstacles) {
-      o.radius += settings_.avoidance->safety + metres(more_m);
+      o.radius += settings_.avoidance->safety + metres(tracking_room_m + more_m);
     }
     const auto land = field_land(ground, settings_.margin, settings_.hole_buffer);
     if (!land) return made;
@@ -216,8 +217,8 @@ Expected<SwathCoverage, PlanError> coverage_around(const Field& field, Length sw
   if (!made) return made;
   const auto land = field_land(field, settings.margin, settings.hole_buffer);
   if (!land) return Unexpected{land.error()};
-  const auto room =
-      room_of(field, settings.margin, settings.hole_buffer, settings.avoidance->safety);
+  const auto room = room_of(field, settings.margin, settings.hole_buffer,
+                            settings.avoidance->safety + metres(tracking_room_m));
   if (!room) return Unexpected{room.error()};
 
   std::vector<StraightStrip> strips;
