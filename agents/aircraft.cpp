@@ -81,6 +81,7 @@ void Aircraft::fly(double stop_m) {
   filter_.predict(measured);
   fix_ = receiver_.fix_m(airframe_.position_m());
   filter_.correct(fix_);
+  pilot_.observe(filter_.estimate_m());
   stores.fly(vehicle_, control_period_s);
 }
 

@@ -22,7 +22,7 @@ inline double planned_acceleration_mps2(const Vehicle& vehicle) {
 /// nothing when it can. Bounds found by flying strips of any swath at any speed and acceleration:
 ///
 /// - In one control period it flies half a swath at most at spray speed, for the valve opens and
-///   closes no finer, and a swath at ferry speed, by about which it leads its pace.
+///   closes no finer, and a swath at ferry speed, by which its place is uncertain.
 /// - It can accelerate by more than the noise of its measured velocity calls for.
 /// - The arc of a corner between strips takes five control periods.
 std::optional<std::string> unholdable(const Vehicle& vehicle);

@@ -1,5 +1,7 @@
 #include "scheduler/flight_times.hpp"
 
+#include "core/corner.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -8,8 +10,6 @@ namespace {
 
 constexpr double turning_share = 0.9;  // of the acceleration: the rest keeps aircraft on their arcs
 constexpr double same_place_m = 1e-6;
-constexpr double straight_rad = 1e-6;
-constexpr double tightest_arc_m = 0.01;
 
 /// Straight legs from rest to rest, to be timed. Metres and seconds.
 class Way {
@@ -17,16 +17,20 @@ class Way {
   Way(FieldPoint start, const Vehicle& vehicle)
       : acceleration_{planned_acceleration(vehicle).base()},
         cut_m_{0.5 * vehicle.swath.base()},
-        min_radius_m_{std::max(tightest_arc_m, vehicle.min_turn_radius.base())},
+        min_radius_m_{vehicle.min_turn_radius.base()},
         at_{start} {}
 
-  void add(FieldPoint to, Speed limit) {
+  void add(FieldPoint to, Speed limit, Corner corner) {
     const double length_m = distance(at_, to).base();
-    if (length_m < same_place_m) return;
+    if (length_m < same_place_m) {
+      if (!legs_.empty()) legs_.back().corner = std::max(legs_.back().corner, corner);
+      return;
+    }
     legs_.push_back({.x = (to - at_).x.base() / length_m,
                      .y = (to - at_).y.base() / length_m,
                      .length_m = length_m,
-                     .limit_mps = limit.base()});
+                     .limit_mps = limit.base(),
+                     .corner = corner});
     at_ = to;
   }
 
@@ -39,6 +43,7 @@ class Way {
   struct Leg {
     double x, y;  // unit vector
     double length_m, limit_mps;
+    Corner corner;  // where it ends
   };
   struct Stretch {
     double length_m, limit_mps, entry_mps;
@@ -63,9 +68,9 @@ double Way::lay_corner(const Leg& in, const Leg& out) {
     stretches_.push_back({0.0, std::min(in.limit_mps, out.limit_mps), 0.0});
     return 0.0;
   }
-  const double cut_m = std::min({cut_m_, 0.5 * in.length_m, 0.5 * out.length_m});
-  const double radius_m = cut_m / std::tan(0.5 * angle);
-  if (radius_m < min_radius_m_) {
+  const auto [cut_m, radius_m] =
+      corner_arc(in.corner, angle, std::min(in.length_m, out.length_m), cut_m_, min_radius_m_);
+  if (radius_m == 0.0) {
     stretches_.push_back({0.0, 0.0, 0.0});
     return 0.0;
   }
@@ -140,7 +145,8 @@ FlightTimes::FlightTimes(const planner::Route& route, const planner::ReturnProbl
             .begin = planner::start_point(route, strip, first),
             .stops = {},
             .approach = strip.approach,
-            .continues = strip.continues};
+            .continues = strip.continues,
+            .to_its_end = planner::sprays_ends(strip)};
     for (std::uint32_t c = first; c < stop; ++c) {
       run.stops.push_back(planner::stop_point(route, strip, c));
     }
@@ -179,32 +185,40 @@ SortieTimes FlightTimes::operator()(const planner::PlannedSortie& sortie, bool i
                              !std::next(run)->continues;
   if (ferry_follows) ++run;
   const bool begins_run = ferry_follows || (is_first && sortie.first <= run->first);
+  const auto corner = [&](bool open) {
+    return !run->to_its_end ? Corner::cut : open ? Corner::held : Corner::stop;
+  };
   Way way{is_first ? vehicle_.home : station_, vehicle_};
   if (begins_run) {
     for (const FieldPoint at : way_out(is_first, run->first, run->begin)) {
-      way.add(at, vehicle_.ferry_speed);
+      way.add(at, vehicle_.ferry_speed, Corner::cut);
     }
-    way.add(run->begin, vehicle_.ferry_speed);
+    way.add(run->begin, vehicle_.ferry_speed, corner(false));
   } else {
     const std::uint32_t cell = std::max(sortie.first, run->first);
     const Places& home = way_home(cell, run->stop(cell));
-    for (auto at = home.rbegin(); at != home.rend(); ++at) way.add(*at, vehicle_.ferry_speed);
-    way.add(run->stop(cell), vehicle_.ferry_speed);
+    for (auto at = home.rbegin(); at != home.rend(); ++at) {
+      way.add(*at, vehicle_.ferry_speed, Corner::cut);
+    }
+    way.add(run->stop(cell), vehicle_.ferry_speed, corner(false));
   }
   while (run->last < sortie.last) {
-    way.add(run->stops.back(), vehicle_.spray_speed);
-    ++run;
-    if (!run->continues) {
-      for (const FieldPoint at : run->approach) way.add(at, vehicle_.ferry_speed);
+    const Run& next = *std::next(run);
+    const bool meets = distance(run->stops.back(), next.begin).base() < same_place_m;
+    way.add(run->stops.back(), vehicle_.spray_speed, corner(meets));
+    if (!next.continues) {
+      for (const FieldPoint at : next.approach) way.add(at, vehicle_.ferry_speed, Corner::held);
     }
-    way.add(run->begin, run->continues ? vehicle_.spray_speed : vehicle_.ferry_speed);
+    way.add(next.begin, next.continues || meets ? vehicle_.spray_speed : vehicle_.ferry_speed,
+            corner(meets));
+    ++run;
   }
-  way.add(run->stop(sortie.last), vehicle_.spray_speed);
+  way.add(run->stop(sortie.last), vehicle_.spray_speed, corner(false));
   const std::size_t sprayed_legs = way.legs();
   for (const FieldPoint at : way_home(sortie.last, run->stop(sortie.last))) {
-    way.add(at, vehicle_.ferry_speed);
+    way.add(at, vehicle_.ferry_speed, Corner::cut);
   }
-  way.add(station_, vehicle_.ferry_speed);
+  way.add(station_, vehicle_.ferry_speed, Corner::stop);
   return way.times(sprayed_legs);
 }
 

@@ -17,10 +17,11 @@ struct SortieTimes {
 /// The flights of one aircraft on its share, from rest to rest: where the planner counts constant
 /// speeds and sharp corners, these accelerate, brake and turn, in still air.
 ///
-/// The way is flown as aircraft do. At a corner of angle q an arc leaves both legs c before it, c
-/// half a swath or half of the shorter leg, its radius r = c / tan(q / 2); it is flown at
-/// sqrt(k a r) at most, where a is the acceleration planned with and k the share of it left to
-/// turning. A corner without room for an arc is turned at a stop. A stretch of length s between
+/// The way is flown as aircraft do, by the strips' approaches too. At a corner of angle q an arc
+/// leaves both legs c before it, c half a swath or half of the shorter leg, its radius
+/// r = c / tan(q / 2); it is flown at sqrt(k a r) at most, where a is the acceleration planned with
+/// and k the share of it left to turning. A corner without room for an arc is turned at a stop, as
+/// are the ends of strips sprayed from end to end (see Corner). A stretch of length s between
 /// speeds u and w takes, at limit v, what its trapezoid takes: ramps at a up to the peak
 /// p = min(v, sqrt(a s + (u^2 + w^2) / 2)), and the rest at p. From rest to rest that is s / v + v
 /// / a where v is reached, and 2 sqrt(s / a) where not. Speeds from which the next corner could not
@@ -42,6 +43,7 @@ class FlightTimes {
     std::vector<FieldPoint> stops;
     std::vector<FieldPoint> approach;  ///< From the run before.
     bool continues;
+    bool to_its_end;  ///< Sprayed from end to end.
     FieldPoint stop(std::uint32_t cell) const { return stops[cell - first]; }
   };
 

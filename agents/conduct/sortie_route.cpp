@@ -35,19 +35,27 @@ SortieRoute sortie_route(Xy from_m, std::span<const Piece> pieces, Xy to_m, cons
   if (!pieces.empty()) ferry_to(field_point(from_m), pieces.front().entry);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const Piece& piece = pieces[i];
-    const bool continues =
-        i > 0 && norm(xy_m(piece.entry) - xy_m(pieces[i - 1].exit)) < same_place_m;
+    const bool to_its_end = !(piece.exit == piece.to);
+    const auto meets = [](const Piece& before, const Piece& after) {
+      return norm(xy_m(after.entry) - xy_m(before.exit)) < same_place_m;
+    };
+    const bool continues = i > 0 && meets(pieces[i - 1], piece);
+    const bool goes_on = i + 1 < pieces.size() && meets(piece, pieces[i + 1]);
+    const auto corner = [&](bool open) {
+      return !to_its_end ? Corner::cut : open ? Corner::held : Corner::stop;
+    };
     if (i > 0) {
-      for (const FieldPoint at : piece.approach) route.path.add(xy_m(at), ferry);
+      for (const FieldPoint at : piece.approach) route.path.add(xy_m(at), ferry, Corner::held);
     }
-    const double open = route.path.add(xy_m(piece.entry), continues ? spray : ferry);
-    if (piece.exit == piece.to) {
+    const double open =
+        route.path.add(xy_m(piece.entry), continues ? spray : ferry, corner(continues));
+    if (!to_its_end) {
       const double from = route.path.add(xy_m(piece.from), spray);
       const double close = route.path.add(xy_m(piece.to), spray);
       route.pieces.push_back({piece, open, close, from, spacing(piece), 0.0});
     } else {  // one straight leg
       const double from = open + distance(piece.entry, piece.from).base();
-      const double close = route.path.add(xy_m(piece.exit), spray);
+      const double close = route.path.add(xy_m(piece.exit), spray, corner(goes_on));
       route.pieces.push_back({piece, open, close, from, spacing(piece), 0.0});
     }
   }

@@ -32,8 +32,12 @@ struct SortieRoute {
 };
 
 /// The route over `pieces`, which may be empty: then straight to `to`. Ferries are flown at ferry
-/// speed with the valve closed, by the pieces' approaches but for the first, corners cut by at most
-/// half a swath: so far inside a corner the path leaves the polyline, and nowhere else.
+/// speed with the valve closed, by the pieces' approaches but for the first.
+///
+/// Corners are cut by at most half a swath: so far inside a corner the path leaves the polyline,
+/// and nowhere else. Where that would cost land or leave it, they are not: a piece sprayed from end
+/// to end begins and ends at a stop, and way points of approaches, which bend around edges, are
+/// held.
 SortieRoute sortie_route(Xy from_m, std::span<const Piece> pieces, Xy to_m, const Vehicle& vehicle,
                          const planner::FerryMap& ferries);
 

@@ -26,9 +26,9 @@ double Pace::braking_to(double rest_m, double exit_mps) const {
 
 double Pace::next_speed(const Path& path, double stop_m, double eagerness) const {
   const auto& segments = path.segments();
-  const double reach = along_ + braking_m() + limit_ * control_period_s * control_period_s;
-  double speed =
-      std::min(speed_ + limit_ * control_period_s, eagerness * segments[segment_].limit_mps);
+  const double most_mps = speed_ + limit_ * control_period_s;
+  const double reach = along_ + most_mps * (0.5 * most_mps / limit_ + control_period_s);
+  double speed = std::min(most_mps, eagerness * segments[segment_].limit_mps);
   for (std::size_t i = segment_; i < segments.size() && segments[i].end_m() <= reach; ++i) {
     const double exit = i + 1 < segments.size() ? segments[i + 1].entry_mps : 0.0;
     speed = std::min(speed, braking_to(segments[i].end_m() - along_, exit));

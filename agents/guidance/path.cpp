@@ -8,9 +8,7 @@ namespace furrow::agents {
 namespace {
 
 constexpr double shortest_leg_m = 1e-6;
-constexpr double straight_rad = 1e-6;
 constexpr double arc_share = 0.9;  // of the acceleration: the rest brings it back onto the arc
-constexpr double tightest_arc_m = 0.01;  // below it an aircraft might as well stop and turn
 
 // Time over a length when speed may rise and fall at `a` but not pass `limit`.
 double flown_s(double length_m, double entry_mps, double exit_mps, double limit_mps, double a) {
@@ -32,10 +30,16 @@ Path::Path(Xy start_m, PathLimits limits) : limits_{limits} {
   vertices_.push_back({.at = start_m, .leg_m = 0.0, .limit_mps = 0.0});
 }
 
-double Path::add(Xy to_m, double limit_mps) {
+double Path::add(Xy to_m, double limit_mps, Corner corner) {
   const double leg = norm(to_m - vertices_.back().at);
-  if (leg < shortest_leg_m) return vertices_.back().leg_m;
-  vertices_.push_back({.at = to_m, .leg_m = vertices_.back().leg_m + leg, .limit_mps = limit_mps});
+  if (leg < shortest_leg_m) {
+    vertices_.back().corner = std::max(vertices_.back().corner, corner);
+    return vertices_.back().leg_m;
+  }
+  vertices_.push_back({.at = to_m,
+                       .leg_m = vertices_.back().leg_m + leg,
+                       .limit_mps = limit_mps,
+                       .corner = corner});
   return vertices_.back().leg_m;
 }
 
@@ -73,9 +77,10 @@ void Path::cut_corners() {
     double radius = 0.0;
     if (std::abs(angle) > straight_rad) {
       const double next_leg = vertices_[i + 1].leg_m - vertex.leg_m;
-      vertex.cut_m = std::min({limits_.corner_cut_m, 0.5 * leg, 0.5 * next_leg});
-      radius = vertex.cut_m / std::tan(0.5 * std::abs(angle));
-      if (radius < std::max(tightest_arc_m, limits_.min_radius_m)) radius = vertex.cut_m = 0.0;
+      const CornerArc arc = corner_arc(vertex.corner, std::abs(angle), std::min(leg, next_leg),
+                                       limits_.corner_cut_m, limits_.min_radius_m);
+      vertex.cut_m = arc.cut_m;
+      radius = arc.radius_m;
     }
     const double straight = std::max(0.0, leg - before.cut_m - vertex.cut_m);
     append({length_, straight, before.at + before.cut_m * ahead, ahead, 0.0, vertex.limit_mps,

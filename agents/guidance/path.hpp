@@ -2,6 +2,7 @@
 // The curve an aircraft is to fly: straight legs between waypoints, joined by flyable arcs.
 
 #include "agents/xy.hpp"
+#include "core/corner.hpp"
 
 #include <cstddef>
 #include <vector>
@@ -37,8 +38,9 @@ class Path {
 
   /// Appends a straight leg to `to_m`, flown at `limit_mps` at most. A leg of no length is left
   /// out.
+  /// @param corner  How the path may turn at `to_m`.
   /// @return  Distance along the legs, corners uncut, from the start to `to_m` [m].
-  double add(Xy to_m, double limit_mps);
+  double add(Xy to_m, double limit_mps, Corner corner = Corner::cut);
 
   /// Cuts the corners, plans the speeds, ends at rest. Once, before anything below is asked.
   void finish();
@@ -58,6 +60,7 @@ class Path {
     Xy at;
     double leg_m;      // along the legs, uncut
     double limit_mps;  // of the leg that ends here
+    Corner corner = Corner::cut;
     double cut_m = 0.0, arc_start_m = 0.0, arc_length_m = 0.0;
   };
 

@@ -1,5 +1,7 @@
 #include "agents/guidance/pilot.hpp"
 
+#include "agents/control_clock.hpp"
+
 #include <algorithm>
 
 namespace furrow::agents {
@@ -27,23 +29,24 @@ void Pilot::follow(Path path) {
   ahead_ = path_.segments().front().ahead;
 }
 
+void Pilot::observe(Xy estimate_m) { deviation_ = deviation(segment(), estimate_m); }
+
 Xy Pilot::steer(double stop_m, Xy estimate_m, Xy velocity_mps) {
+  observe(estimate_m);
   const double lag = pace_.along_m() - deviation_.along_m;
+  const Pose now = pose(segment(), pace_.along_m());
+  const double speed = pace_.speed_mps();
   pace_.advance(path_, stop_m, std::clamp(1.0 - (lag - tolerated_lag_m), 0.0, 1.0));
 
-  const Segment& s = segment();
-  const Pose target = pose(s, pace_.along_m());
-  const Xy right = right_of(target.ahead);
-  deviation_ = deviation(s, estimate_m);
-  ahead_ = target.ahead;
-
-  const double speed = pace_.speed_mps();
-  const double along = pace_.acceleration_mps2() +
-                       stiffness_per_s2 * (pace_.along_m() - deviation_.along_m) +
-                       damping_per_s * (speed - dot(velocity_mps, target.ahead));
-  const double across = speed * speed * s.curvature_per_m - stiffness_per_s2 * deviation_.cross_m -
-                        damping_per_s * dot(velocity_mps, right);
-  return limited(along * target.ahead + across * right, limit_);
+  const Xy right = right_of(now.ahead);
+  const Xy corrected =
+      (stiffness_per_s2 * lag + damping_per_s * (speed - dot(velocity_mps, now.ahead))) *
+          now.ahead -
+      (stiffness_per_s2 * deviation_.cross_m + damping_per_s * dot(velocity_mps, right)) * right;
+  // What takes the velocity of the pace to the next one, along and around a corner.
+  ahead_ = pose(segment(), pace_.along_m()).ahead;
+  const Xy led = (1.0 / control_period_s) * (pace_.speed_mps() * ahead_ - speed * now.ahead);
+  return limited(led + corrected, limit_);
 }
 
 }  // namespace furrow::agents

@@ -24,6 +24,9 @@ class Pilot {
   /// @return  The acceleration over ground that is wanted [m/s2].
   Xy steer(double stop_m, Xy estimate_m, Xy velocity_mps);
 
+  /// Takes note of where the aircraft is now, at the end of a period.
+  void observe(Xy estimate_m);
+
   const Path& path() const { return path_; }
   const Pace& pace() const { return pace_; }
   const Segment& segment() const { return path_.segments()[pace_.segment()]; }

@@ -1,5 +1,6 @@
 #include "planner/coverage/swath/ragged_edges.hpp"
 
+#include "planner/coverage/geos.hpp"
 #include "planner/coverage/swath/strips.hpp"
 
 #include <algorithm>
@@ -89,8 +90,8 @@ std::size_t nearest_edge(const std::vector<Edge>& edges, std::size_t count, Poin
   return best;
 }
 
-// An edge half a swath beside the middle of `part`, along its longest side: a strip beside that
-// edge runs through the middle.
+// An edge half a swath beside a place inside `part`, along its longest side: a strip beside that
+// edge runs through the place. Its middle would not do: of a crescent that lies outside.
 Edge own_edge(const LandPart& part, double swath_m) {
   Edge longest{part.outer[0], part.outer[1], 0};
   each_edge(part, [&](PointM a, PointM b) {
@@ -98,7 +99,7 @@ Edge own_edge(const LandPart& part, double swath_m) {
   });
   const PointM along = longest.to - longest.from;
   const PointM right = (swath_m / 2 / norm(along)) * PointM{along.y, -along.x};
-  const PointM start = middle_of(part.outer) + right;
+  const PointM start = inner_place(part) + right;
   return {start, start + along, 0};
 }
 
