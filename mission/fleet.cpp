@@ -35,6 +35,13 @@ void fit_to_fleet(planner::AvoidanceSettings& avoidance, const Scenario& scenari
   avoidance.seed = scenario.seed;
 }
 
+// How far an aircraft may be from where it takes itself to be: one fix in two million errs by more.
+Length position_error(const std::vector<Vehicle>& uavs) {
+  Length most{};
+  for (const Vehicle& v : uavs) most = std::max(most, 5.0 * v.gnss.sigma + v.gnss.bias);
+  return most;
+}
+
 }  // namespace
 
 scheduler::FleetProblem fleet_problem(const Scenario& scenario) {
@@ -43,6 +50,7 @@ scheduler::FleetProblem fleet_problem(const Scenario& scenario) {
   if (auto* swath = std::get_if<planner::SwathSettings>(&coverage)) {
     swath->near = scenario.start;
     if (swath->avoidance) fit_to_fleet(*swath->avoidance, scenario);
+    swath->spray_margin = position_error(scenario.uavs);
   }
   return {.field = scenario.field,
           .coverage = std::move(coverage),

@@ -48,6 +48,7 @@ std::vector<std::pair<std::string, double>> figures(const Result& r) {
       {"fleet.route_m", r.fleet.route_m},
       {"fleet.ferry_m", r.fleet.ferry_m},
       {"fleet.flown_outside_m", r.fleet.flown_outside_m},
+      {"fleet.outside_at_work_m", r.fleet.outside_at_work_m},
       {"fleet.uavs", all_uavs},
       {"solver.return_points", r.solver.return_points},
       {"solver.round_trips_m", r.solver.round_trips_m},

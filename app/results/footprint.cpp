@@ -91,126 +91,10 @@ std::vector<double> senses(const planner::Route& route, const StripFrame& frame)
   return sense;
 }
 
-bool is_on_lattice(const planner::Route& route) {
-  return std::none_of(route.strips.begin(), route.strips.end(), planner::sprays_ends);
-}
-
-// How often each place of a lattice over the field was wetted.
-class Samples {
- public:
-  Samples(const Field& field, double swath_m) : field_{field} {
-    double east_m = -INFINITY, north_m = -INFINITY;
-    for (const FieldPoint p : field.boundary) {
-      west_m_ = std::min(west_m_, p.x.base() - swath_m);
-      south_m_ = std::min(south_m_, p.y.base() - swath_m);
-      east_m = std::max(east_m, p.x.base() + swath_m);
-      north_m = std::max(north_m, p.y.base() + swath_m);
-    }
-    const double wide_m = east_m - west_m_, high_m = north_m - south_m_;
-    step_m_ = std::max(swath_m / 8, std::sqrt(wide_m * high_m / most_samples));
-    columns_ = static_cast<std::size_t>(std::ceil(wide_m / step_m_));
-    rows_ = static_cast<std::size_t>(std::ceil(high_m / step_m_));
-    times_.resize(columns_ * rows_);
-  }
-
-  // Wets a rectangle around `center`, `ahead` of length 1.
-  void wet(FieldPoint center, FieldVector ahead, double half_length_m, double half_width_m) {
-    const double x = center.x.base(), y = center.y.base();
-    const double ux = ahead.x.base(), uy = ahead.y.base();
-    const double reach_x = std::abs(ux) * half_length_m + std::abs(uy) * half_width_m;
-    const double reach_y = std::abs(uy) * half_length_m + std::abs(ux) * half_width_m;
-    const std::size_t left = column(x - reach_x - west_m_, columns_);
-    const std::size_t right = column(x + reach_x - west_m_ + step_m_, columns_);
-    const std::size_t top = column(y + reach_y - south_m_ + step_m_, rows_);
-    for (std::size_t r = column(y - reach_y - south_m_, rows_); r < top; ++r) {
-      for (std::size_t c = left; c < right; ++c) {
-        const double dx = at_m(c, west_m_) - x, dy = at_m(r, south_m_) - y;
-        const double along = dx * ux + dy * uy, across = dx * uy - dy * ux;
-        // Half open, so that cells side by side share no sample.
-        const bool is_wet = along >= -half_length_m && along < half_length_m &&
-                            across >= -half_width_m && across < half_width_m;
-        times_[r * columns_ + c] += is_wet;
-      }
-    }
-  }
-
-  FootprintFigures figures() const {
-    FootprintFigures sum{};
-    std::vector<double> edges_m;
-    for (std::size_t r = 0; r < rows_; ++r) {
-      crossings(at_m(r, south_m_), edges_m);
-      std::size_t next = 0;
-      for (std::size_t c = 0; c < columns_; ++c) {
-        while (next < edges_m.size() && edges_m[next] <= at_m(c, west_m_)) ++next;
-        const bool is_land = next % 2 == 1;
-        const std::uint32_t times = times_[r * columns_ + c];
-        sum.wetted_m2 += times > 0;
-        sum.overlap_m2 += times > 1 ? times - 1 : 0;
-        sum.missed_m2 += is_land && times == 0;
-        sum.outside_m2 += !is_land && times > 0;
-      }
-    }
-    for (double* area : {&sum.wetted_m2, &sum.overlap_m2, &sum.missed_m2, &sum.outside_m2}) {
-      *area *= step_m_ * step_m_;
-    }
-    return sum;
-  }
-
- private:
-  static constexpr double most_samples = 4e6;
-
-  double at_m(std::size_t index, double low_m) const {
-    return low_m + (static_cast<double>(index) + 0.5) * step_m_;
-  }
-  std::size_t column(double from_low_m, std::size_t count) const {
-    return static_cast<std::size_t>(
-        std::clamp(std::floor(from_low_m / step_m_), 0.0, static_cast<double>(count)));
-  }
-
-  // Where the edges of boundary and holes cross a line from west to east.
-  void crossings(double y_m, std::vector<double>& edges_m) const {
-    edges_m.clear();
-    const auto cross = [&](const Ring& ring) {
-      for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
-        const double yi = ring[i].y.base(), yj = ring[j].y.base();
-        if ((yi > y_m) == (yj > y_m)) continue;
-        const double xi = ring[i].x.base(), xj = ring[j].x.base();
-        edges_m.push_back((xj - xi) * (y_m - yi) / (yj - yi) + xi);
-      }
-    };
-    cross(field_.boundary);
-    for (const Ring& hole : field_.holes) cross(hole);
-    std::sort(edges_m.begin(), edges_m.end());
-  }
-
-  const Field& field_;
-  double west_m_ = INFINITY, south_m_ = INFINITY, step_m_;
-  std::size_t columns_, rows_;
-  std::vector<std::uint16_t> times_;
-};
-
-FootprintFigures sampled_footprint(const Field& field, const planner::Route& route,
-                                   std::span<const Pass> passes) {
-  Samples samples{field, route.cell.base()};
-  for (const Pass& pass : passes) {
-    const planner::Strip& strip = route.strips[planner::strip_of(route, pass.cell)];
-    const FieldPoint begin = planner::start_point(route, strip, pass.cell);
-    const FieldPoint end = planner::stop_point(route, strip, pass.cell);
-    const double length_m = distance(begin, end).base();
-    if (length_m == 0.0) continue;
-    const FieldVector way = end - begin;
-    const FieldVector ahead{(1.0 / length_m) * way.x, (1.0 / length_m) * way.y};
-    const FieldVector right{pass.offset_m * ahead.y, -pass.offset_m * ahead.x};
-    samples.wet(route.centers[pass.cell] + right, ahead, 0.5 * length_m, 0.5 * route.cell.base());
-  }
-  return samples.figures();
-}
-
 }  // namespace
 
 FootprintFigures footprint(const Field& field, const planner::Route& route,
                            std::span<const Pass> passes, double work_direction_deg) {
-  if (!is_on_lattice(route)) return sampled_footprint(field, route, passes);
   const double direction_rad = work_direction_deg * std::numbers::pi / 180;
   const StripFrame frame{std::sin(direction_rad), std::cos(direction_rad)};
   const double cell_m = route.cell.base();
@@ -249,6 +133,13 @@ FootprintFigures footprint(const Field& field, const planner::Route& route,
     }
   }
   return sum;
+}
+
+FootprintFigures footprint(const planner::SprayedAreas& areas) {
+  return {.wetted_m2 = (areas.covered + areas.outside).base(),
+          .missed_m2 = areas.missed.base(),
+          .overlap_m2 = areas.repeated.base(),
+          .outside_m2 = areas.outside.base()};
 }
 
 }  // namespace furrow::app

@@ -14,8 +14,4 @@ Area area(const Field& field);
 /// Whether `p` is inside the boundary and outside the holes. Points on an edge are either.
 bool contains(const Field& field, FieldPoint p);
 
-/// How much of the straight way from `a` to `b` is outside the field. Holes are no land either, but
-/// flying over them is: they count as inside.
-Length length_outside(const Field& field, FieldPoint a, FieldPoint b);
-
 }  // namespace furrow::app

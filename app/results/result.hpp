@@ -29,10 +29,11 @@ struct CoverageFigures {
   double uncertain_m2;  ///< Part of missed: truly sprayed, without proof.
 };
 
-/// What the swaths wetted, from the true offset of each cell's pass. Zero when only planned.
+/// What the swaths wetted: on a grid from the true offset of each cell's pass, on swept fields from
+/// the union of the true tracks' footprints. Zero when only planned.
 struct FootprintFigures {
   double wetted_m2;
-  double missed_m2;   ///< Workable cells' area left dry.
+  double missed_m2;   ///< Workable land left dry.
   double overlap_m2;  ///< Area wetted again.
   double outside_m2;  ///< Wetted outside the boundary or inside a hole.
 };
@@ -43,7 +44,10 @@ struct FleetFigures {
   double lower_bound_s;
   double gap;  ///< makespan / lower bound - 1.
   double spray_s, non_spray_s, queue_wait_s;
-  double route_m, ferry_m, flown_outside_m;
+  double route_m;  ///< At work: strips and the connections between them, sortie by sortie.
+  double ferry_m;
+  double flown_outside_m;    ///< Over no land, holes and obstacles included, on all ways.
+  double outside_at_work_m;  ///< The part of it that is not on the ways from and to stations.
 };
 
 struct SortieFigures {

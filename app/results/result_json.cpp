@@ -89,7 +89,8 @@ Json json(const FleetFigures& f) {
           {"queue_wait_s", rounded(f.queue_wait_s)},
           {"route_m", rounded(f.route_m)},
           {"ferry_m", rounded(f.ferry_m)},
-          {"flown_outside_m", rounded(f.flown_outside_m)}};
+          {"flown_outside_m", rounded(f.flown_outside_m)},
+          {"outside_at_work_m", rounded(f.outside_at_work_m)}};
 }
 
 Json json(const SortieFigures& s) {

@@ -7,6 +7,7 @@
 #include "app/results/solver_figures.hpp"
 #include "app/results/sorties.hpp"
 #include "app/results/sweep_coverage.hpp"
+#include "app/results/ways.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -137,30 +138,6 @@ double last_open_s(const std::vector<TrackPoint>& track) {
   return 0;
 }
 
-double flown_outside_m(const Field& field, const Flown& flown) {
-  double sum_m = 0;
-  for (const FlownUav& uav : flown.uavs) {
-    for (std::size_t i = 1; i < uav.track.size(); ++i) {
-      sum_m += length_outside(field, uav.track[i - 1].position, uav.track[i].position).base();
-    }
-  }
-  return sum_m;
-}
-
-double planned_outside_m(const Field& field, const std::vector<UavFigures>& uavs,
-                         const std::vector<scheduler::UavPlan>& plans) {
-  double sum_m = 0;
-  for (std::size_t i = 0; i < uavs.size(); ++i) {
-    FieldPoint from = plans[i].vehicle.home;
-    for (const SortieFigures& s : uavs[i].sorties) {
-      sum_m += length_outside(field, from, s.start).base();
-      sum_m += length_outside(field, s.returned, plans[i].station.position).base();
-      from = plans[i].station.position;
-    }
-  }
-  return sum_m;
-}
-
 UavFigures common_figures(const scheduler::UavPlan& uav, double area_m2) {
   UavFigures f{};
   f.id = number(uav.vehicle.id);
@@ -219,11 +196,11 @@ FleetFigures fleet_figures(const MissionRecord& record, const Flown& flown, cons
     f.non_spray_s += uav.non_spray_s;
     f.queue_wait_s += uav.queue_wait_s;
     f.ferry_m += uav.ferry_m;
-    for (const SortieFigures& s : uav.sorties) f.route_m += s.spray_m;
   }
-  f.flown_outside_m = is_flown
-                          ? flown_outside_m(record.scenario.field, flown)
-                          : planned_outside_m(record.scenario.field, result.uavs, record.plan.uavs);
+  const MissionWays ways = is_flown ? flown_ways(flown) : planned_ways(record);
+  f.route_m = length_m(ways.at_work);
+  f.flown_outside_m = outside_m(record, ways.whole);
+  f.outside_at_work_m = outside_m(record, ways.at_work);
   return f;
 }
 
@@ -299,15 +276,17 @@ Result summary(const MissionRecord& record, const Flown& flown) {
         is_flown ? flown_figures(flown.uavs[i], uav, flown.lost.contains(uav.vehicle.id), area_m2)
                  : planned_figures(record.plan.route, uav, area_m2));
   }
-  if (is_flown) {
+  r.sweep = record.plan.sweep;
+  if (is_flown && !r.sweep) {
     r.footprint = footprint(record.scenario.field, record.plan.route, flown.passes,
                             record.plan.work_direction_deg);
-    r.coverage = flown_coverage(record, flown, r.footprint);
-  } else {
-    r.coverage = planned_coverage(record);
   }
-  r.sweep = record.plan.sweep;
-  if (r.sweep) r.coverage = sweep_coverage(record, r.coverage, is_flown ? &flown : nullptr);
+  r.coverage = is_flown ? flown_coverage(record, flown, r.footprint) : planned_coverage(record);
+  if (r.sweep) {
+    const planner::SprayedAreas areas = sweep_areas(record, is_flown ? &flown : nullptr);
+    r.coverage = sweep_coverage(r.coverage, *r.sweep, areas);
+    if (is_flown) r.footprint = footprint(areas);
+  }
   r.completed = is_flown ? !record.partial && flown.last_word && flown.last_word->completed
                          : r.coverage.abandoned_m2 == 0;
   r.fleet = fleet_figures(record, flown, r);

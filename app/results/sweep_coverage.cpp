@@ -16,7 +16,9 @@ std::vector<planner::FlownPlace> places(const std::vector<TrackPoint>& track) {
   return all;
 }
 
-planner::SprayedAreas true_areas(const MissionRecord& record, const Flown* flown) {
+}  // namespace
+
+planner::SprayedAreas sweep_areas(const MissionRecord& record, const Flown* flown) {
   if (flown == nullptr) return record.plan.sweep->areas;
   std::vector<std::vector<planner::FlownPlace>> tracks;
   for (const FlownUav& uav : flown->uavs) tracks.push_back(places(uav.track));
@@ -25,17 +27,14 @@ planner::SprayedAreas true_areas(const MissionRecord& record, const Flown* flown
   return coverage ? coverage->areas : planner::SprayedAreas{};  // the plan has judged the field
 }
 
-}  // namespace
-
-CoverageFigures sweep_coverage(const MissionRecord& record, const CoverageFigures& cells,
-                               const Flown* flown) {
-  const planner::SprayedAreas areas = true_areas(record, flown);
+CoverageFigures sweep_coverage(const CoverageFigures& cells, const planner::SweepFigures& sweep,
+                               const planner::SprayedAreas& areas) {
   CoverageFigures figures = cells;
   figures.covered_m2 = areas.covered.base();
   figures.missed_m2 = areas.missed.base();
   figures.repeated_m2 = areas.repeated.base();
   figures.outside_m2 = areas.outside.base();
-  figures.unrouted_m2 = record.plan.sweep->areas.missed.base();
+  figures.unrouted_m2 = sweep.areas.missed.base();
   return figures;
 }
 

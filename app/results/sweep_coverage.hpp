@@ -5,12 +5,14 @@
 
 namespace furrow::app {
 
-/// Coverage of the swath model, in true areas: from the union of footprints of the strips as
-/// planned, or of the true tracks as flown.
-///
-/// @param cells  The ledger's view, of which unrouted, abandoned and uncertain are kept.
+/// True areas of a swept field, from the union of footprints: of the strips as planned, or of the
+/// tracks as flown.
 /// @param flown  Null when only planned.
-CoverageFigures sweep_coverage(const MissionRecord& record, const CoverageFigures& cells,
-                               const Flown* flown);
+planner::SprayedAreas sweep_areas(const MissionRecord& record, const Flown* flown);
+
+/// Coverage in true areas.
+/// @param cells  The ledger's view, of which abandoned and uncertain are kept.
+CoverageFigures sweep_coverage(const CoverageFigures& cells, const planner::SweepFigures& sweep,
+                               const planner::SprayedAreas& areas);
 
 }  // namespace furrow::app

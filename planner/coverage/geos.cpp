@@ -196,17 +196,23 @@ PointM inner_place(const LandPart& part) {
 double length_outside_m(const std::vector<PathM>& paths, const LandParts& land) {
   const Session geos;
   const auto shape = geos.polygons(land);
+  const GEOSPreparedGeometry* prepared = GEOSPrepare_r(geos.context(), shape.get());
   double sum = 0;
   for (const PathM& path : paths) {
-    if (path.size() < 2) continue;
-    const auto line =
-        geos.owned(GEOSGeom_createLineString_r(geos.context(), geos.sequence(path, false)));
-    const auto outside = geos.owned(GEOSDifference_r(geos.context(), line.get(), shape.get()));
-    require(outside != nullptr, "GEOS answers for finite coordinates");
-    double length = 0;
-    GEOSLength_r(geos.context(), outside.get(), &length);
-    sum += length;
+    // Leg by leg: a way flown twice counts twice.
+    for (std::size_t i = 1; i < path.size(); ++i) {
+      if (path[i] == path[i - 1]) continue;
+      const auto leg = geos.owned(GEOSGeom_createLineString_r(
+          geos.context(), geos.sequence({path[i - 1], path[i]}, false)));
+      if (GEOSPreparedCovers_r(geos.context(), prepared, leg.get()) == 1) continue;
+      const auto outside = geos.owned(GEOSDifference_r(geos.context(), leg.get(), shape.get()));
+      require(outside != nullptr, "GEOS answers for finite coordinates");
+      double length = 0;
+      GEOSLength_r(geos.context(), outside.get(), &length);
+      sum += length;
+    }
   }
+  GEOSPreparedGeom_destroy_r(geos.context(), prepared);
   return sum;
 }
 

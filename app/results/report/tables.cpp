@@ -71,7 +71,7 @@ std::string headline(const Result& r) {
     cards += card("Sorties", fmt::format("{}", r.solver.return_points + r.uavs.size()),
                   fmt::format("{} battery swaps", r.solver.swaps));
     cards += card("Ferrying", fmt::format("{:.1f} km", r.fleet.ferry_m / 1000),
-                  fmt::format("{:.1f} km spraying", r.fleet.route_m / 1000));
+                  fmt::format("{:.1f} km along strips", r.fleet.route_m / 1000));
     cards += card("Aircraft", fmt::format("{}", r.uavs.size()),
                   fmt::format("{} stations", r.stations.size()));
   }

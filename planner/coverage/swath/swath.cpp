@@ -189,14 +189,19 @@ Laid lay_parts(const FieldLand& field, std::optional<RowFrame> direction, PlanRu
 Expected<SwathCoverage, PlanError> swath_coverage(const Field& field, Length swath,
                                                   const SwathSettings& settings) {
   require(swath > Length{}, "a swath is wider than 0");
-  require(settings.min_strip >= Length{} && settings.headland_passes >= 0 &&
+  require(settings.min_strip >= Length{} && settings.spray_margin >= Length{} &&
+              settings.headland_passes >= 0 &&
               settings.turn_cost >= Length{},
           "least strips, headland passes and turn costs are at least 0");
-  const auto land = field_land(field, settings.margin, settings.hole_buffer);
+  const Length kept = settings.edges == EdgeMode::stay_inside ? settings.spray_margin : Length{};
+  const Length margin = std::max(settings.margin, kept);
+  const auto land = field_land(field, margin, settings.hole_buffer);
   if (!land) return Unexpected{land.error()};
+  // Rows are laid on what may be sprayed; what they cover is judged on all of the land.
+  const FieldLand sprayable{land->origin, offset(land->land, -kept.base()), land->flight};
   if (auto error = too_many_rows(land->land, swath.base())) return Unexpected{*error};
 
-  PlanRule rule{swath.base(), settings.margin.base(), settings, std::nullopt};
+  PlanRule rule{swath.base(), (margin - kept).base(), settings, std::nullopt};
   if (settings.near) rule.start = plane_point(*settings.near, land->origin);
   std::optional<RowFrame> direction;
   if (settings.direction_deg) {
@@ -204,7 +209,7 @@ Expected<SwathCoverage, PlanError> swath_coverage(const Field& field, Length swa
   } else if (!settings.cells_may_differ) {
     direction = ranked_directions(land->flight, rule, 1).front();
   }
-  const Laid laid = lay_parts(*land, direction, rule);
+  const Laid laid = lay_parts(sprayable, direction, rule);
   if (laid.strips.empty()) {
     return Unexpected{PlanError{PlanFault::nothing_to_spray,
                                 fmt::format("no strip of {} m swath and at least {} m fits",
@@ -235,6 +240,20 @@ Expected<FlownCoverage, PlanError> flown_coverage(
   }
   return FlownCoverage{sprayed_areas(runs, land->land),
                        metres(length_outside_m(paths, offset(land->land, EdgeGrid::touch_m * 10)))};
+}
+
+Expected<Length, PlanError> length_outside(const Field& field,
+                                           const std::vector<std::vector<FieldPoint>>& ways,
+                                           Length tolerance) {
+  require(tolerance > Length{}, "a way along an edge is not outside");
+  const auto land = field_land(field, Length{}, Length{});
+  if (!land) return Unexpected{land.error()};
+  std::vector<PathM> paths;
+  for (const std::vector<FieldPoint>& way : ways) {
+    PathM& path = paths.emplace_back();
+    for (const FieldPoint p : way) path.push_back(plane_point(p, land->origin));
+  }
+  return metres(length_outside_m(paths, offset(land->land, tolerance.base())));
 }
 
 }  // namespace furrow::planner

@@ -62,4 +62,12 @@ struct FlownCoverage {
 Expected<FlownCoverage, PlanError> flown_coverage(
     const Field& field, Length swath, const std::vector<std::vector<FlownPlace>>& tracks);
 
+/// How much of `ways` lies over no land, more than `tolerance` beyond an edge. Holes and obstacles
+/// are no land.
+/// @param tolerance  > 0.
+/// @error  As `field_land`.
+Expected<Length, PlanError> length_outside(const Field& field,
+                                           const std::vector<std::vector<FieldPoint>>& ways,
+                                           Length tolerance);
+
 }  // namespace furrow::planner

@@ -1,6 +1,6 @@
 #include "app/results/footprint.hpp"
 
-#include "app/results/land.hpp"
+#include "app/results/ways.hpp"
 #include "tests/app/results/small_mission.hpp"
 
 #include <catch2/catch.hpp>
@@ -79,12 +79,18 @@ TEST_CASE("footprint: strips of any direction are sampled", "[app]") {
   CHECK(shifted.missed_m2 == Approx(10.0).margin(5.0));
 }
 
-TEST_CASE("land: only the part of a way beyond the boundary is outside", "[app]") {
-  const Field field = small_plan().scenario.field;
-  // From (3, 4) to (9, 4): inside up to x = 6.
-  CHECK(length_outside(field, at_m(3, 4), at_m(9, 4)).base() == Approx(3.0));
-  CHECK(length_outside(field, at_m(0, 0), at_m(6, 0)).base() == 0.0);  // along the edge
-  CHECK(length_outside(field, at_m(-2, 4), at_m(8, 4)).base() == Approx(4.0));
+TEST_CASE("ways: only what lies beyond an edge is outside, holes and obstacles included", "[app]") {
+  MissionRecord record = small_plan();
+  record.scenario.field = {
+      .boundary = {at_m(0, 0), at_m(60, 0), at_m(60, 40), at_m(0, 40)},
+      .holes = {{at_m(20, 10), at_m(30, 10), at_m(30, 20), at_m(20, 20)}},
+      .obstacles = {{"tree", at_m(45, 30), metres(2)}}};
+  // Edges are widened by 0.1 m on either side.
+  CHECK(outside_m(record, {{at_m(50, 5), at_m(70, 5)}}) == Approx(9.9));
+  CHECK(outside_m(record, {{at_m(0, 0.05), at_m(0, -0.05), at_m(60, -0.05)}}) == 0.0);
+  CHECK(outside_m(record, {{at_m(10, 15), at_m(40, 15)}}) == Approx(9.8));
+  // A round obstacle is a polygon of 32 corners around it.
+  CHECK(outside_m(record, {{at_m(45, 20), at_m(45, 39)}}) == Approx(3.8).margin(0.05));
 }
 
 }  // namespace

@@ -1,0 +1,94 @@
+#include "app/results/ways.hpp"
+
+#include "planner/coverage/swath/swath.hpp"
+#include "scheduler/orders.hpp"
+
+namespace furrow::app {
+namespace {
+
+Way way_at_work(const SortieOrder& sortie) {
+  Way way;
+  for (const Piece& piece : sortie.pieces) {
+    if (!way.empty()) way.insert(way.end(), piece.approach.begin(), piece.approach.end());
+    way.push_back(piece.entry);
+    way.push_back(piece.exit);
+  }
+  return way;
+}
+
+// The points of one sortie's track, with the part of it during which it was at work.
+class SortieTrack {
+ public:
+  void add(const TrackPoint& point) {
+    const bool was_open = is_open_;
+    is_open_ = point.spraying;
+    whole_.push_back(point.position);
+    if (is_open_ && begin_ == none) begin_ = whole_.size() - 1;
+    if (was_open || is_open_) end_ = whole_.size();
+  }
+
+  void end(MissionWays& ways) {
+    if (begin_ != none) {
+      ways.at_work.emplace_back(whole_.begin() + static_cast<std::ptrdiff_t>(begin_),
+                                whole_.begin() + static_cast<std::ptrdiff_t>(end_));
+    }
+    if (!whole_.empty()) ways.whole.push_back(std::move(whole_));
+    *this = {};
+  }
+
+ private:
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+  Way whole_{};
+  std::size_t begin_ = none, end_ = 0;
+  bool is_open_ = false;
+};
+
+}  // namespace
+
+MissionWays planned_ways(const MissionRecord& record) {
+  MissionWays ways;
+  for (const scheduler::UavPlan& uav : record.plan.uavs) {
+    FieldPoint from = uav.vehicle.home;
+    for (const SortieOrder& sortie : scheduler::orders(record.plan.route, uav)) {
+      Way way = way_at_work(sortie);
+      ways.at_work.push_back(way);
+      way.insert(way.begin(), from);
+      from = uav.station.position;
+      way.push_back(from);
+      ways.whole.push_back(std::move(way));
+    }
+  }
+  return ways;
+}
+
+MissionWays flown_ways(const Flown& flown) {
+  MissionWays ways;
+  for (const FlownUav& uav : flown.uavs) {
+    auto sortie = uav.sorties.begin();
+    SortieTrack track;
+    for (const TrackPoint& point : uav.track) {
+      while (sortie != uav.sorties.end() && sortie->landed < point.at) {
+        track.end(ways);
+        ++sortie;
+      }
+      track.add(point);
+    }
+    track.end(ways);
+  }
+  return ways;
+}
+
+double length_m(const std::vector<Way>& ways) {
+  double sum_m = 0;
+  for (const Way& way : ways) {
+    for (std::size_t i = 1; i < way.size(); ++i) sum_m += distance(way[i - 1], way[i]).base();
+  }
+  return sum_m;
+}
+
+double outside_m(const MissionRecord& record, const std::vector<Way>& ways) {
+  const auto outside = planner::length_outside(record.scenario.field, ways, edge_tolerance);
+  return outside ? outside->base() : 0;  // the plan has judged the field
+}
+
+}  // namespace furrow::app

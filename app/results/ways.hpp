@@ -1,0 +1,34 @@
+#pragma once
+// The ways of a mission, and how much of them led over no land.
+
+#include "app/results/flown.hpp"
+
+#include <vector>
+
+namespace furrow::app {
+
+using Way = std::vector<FieldPoint>;
+
+/// How far off an aircraft with RTK may be: five standard deviations of a fix. A way along an edge
+/// is therefore not outside.
+inline constexpr Length edge_tolerance = metres(0.1);
+
+/// Ways of all aircraft.
+struct MissionWays {
+  std::vector<Way> whole;    ///< From take-off to landing.
+  std::vector<Way> at_work;  ///< From where the valve first opens on a sortie to where it last
+                             ///< closes, the connections between strips included.
+};
+
+/// As planned: straight from and to stations, along strips and approaches between.
+MissionWays planned_ways(const MissionRecord& record);
+
+/// As flown, by the true tracks. A sortie without a report counts until its track ends.
+MissionWays flown_ways(const Flown& flown);
+
+double length_m(const std::vector<Way>& ways);
+
+/// Length outside the field of `record`, inside holes or inside obstacles, beyond `edge_tolerance`.
+double outside_m(const MissionRecord& record, const std::vector<Way>& ways);
+
+}  // namespace furrow::app
