@@ -47,15 +47,18 @@ class SortieTrack {
 
 MissionWays planned_ways(const MissionRecord& record) {
   MissionWays ways;
+  const planner::FerryMap& ferries = record.plan.route.ferries;
   for (const scheduler::UavPlan& uav : record.plan.uavs) {
     FieldPoint from = uav.vehicle.home;
     for (const SortieOrder& sortie : scheduler::orders(record.plan.route, uav)) {
-      Way way = way_at_work(sortie);
+      const Way way = way_at_work(sortie);
       ways.at_work.push_back(way);
-      way.insert(way.begin(), from);
+      Way whole = ferries.way(from, way.front());
+      whole.insert(whole.end(), way.begin() + 1, way.end());
       from = uav.station.position;
-      way.push_back(from);
-      ways.whole.push_back(std::move(way));
+      const Way home = ferries.way(way.back(), from);
+      whole.insert(whole.end(), home.begin() + 1, home.end());
+      ways.whole.push_back(std::move(whole));
     }
   }
   return ways;

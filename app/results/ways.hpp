@@ -20,7 +20,7 @@ struct MissionWays {
                              ///< closes, the connections between strips included.
 };
 
-/// As planned: straight from and to stations, along strips and approaches between.
+/// As planned: by ferry ways from and to stations, along strips and approaches between.
 MissionWays planned_ways(const MissionRecord& record);
 
 /// As flown, by the true tracks. A sortie without a report counts until its track ends.

@@ -27,8 +27,8 @@ struct SwathSettings {
   Length margin{};       ///< Least distance of flight from every edge, >= 0.
   Length hole_buffer{};  ///< Further distance from holes and obstacles, >= 0.
   EdgeMode edges = EdgeMode::cover_all;
-  Length spray_margin{};  ///< In `stay_inside`: least distance of sprayed bands from every edge, for
-                          ///< what the position may err, >= 0.
+  Length spray_margin{};  ///< In `stay_inside`: least distance of sprayed bands from every edge,
+                          ///< for what the position may err, >= 0.
   LastRow last_row = LastRow::shifted;
   /// Heading of the rows, clockwise from north, as along an AB line; searched when left out.
   std::optional<double> direction_deg{};

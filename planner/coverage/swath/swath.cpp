@@ -184,21 +184,34 @@ Laid lay_parts(const FieldLand& field, std::optional<RowFrame> direction, PlanRu
   return laid;
 }
 
+// The boom lies across the way flown over half a swath, not across each tremble of a hovering
+// aircraft, of which every place but the last is left out.
+PathM steadied(const PathM& path, double least_m) {
+  PathM made{path.front()};
+  for (const PointM p : path) {
+    if (norm(p - made.back()) >= least_m) made.push_back(p);
+  }
+  if (made.back() == path.back()) return made;
+  if (made.size() > 1 && norm(path.back() - made.back()) < least_m) made.pop_back();
+  made.push_back(path.back());
+  return made;
+}
+
 }  // namespace
 
 Expected<SwathCoverage, PlanError> swath_coverage(const Field& field, Length swath,
                                                   const SwathSettings& settings) {
   require(swath > Length{}, "a swath is wider than 0");
   require(settings.min_strip >= Length{} && settings.spray_margin >= Length{} &&
-              settings.headland_passes >= 0 &&
-              settings.turn_cost >= Length{},
+              settings.headland_passes >= 0 && settings.turn_cost >= Length{},
           "least strips, headland passes and turn costs are at least 0");
   const Length kept = settings.edges == EdgeMode::stay_inside ? settings.spray_margin : Length{};
   const Length margin = std::max(settings.margin, kept);
   const auto land = field_land(field, margin, settings.hole_buffer);
   if (!land) return Unexpected{land.error()};
   // Rows are laid on what may be sprayed; what they cover is judged on all of the land.
-  const FieldLand sprayable{land->origin, offset(land->land, -kept.base()), land->flight};
+  FieldLand sprayable = *land;
+  sprayable.land = offset(land->land, -kept.base());
   if (auto error = too_many_rows(land->land, swath.base())) return Unexpected{*error};
 
   PlanRule rule{swath.base(), (margin - kept).base(), settings, std::nullopt};
@@ -238,6 +251,7 @@ Expected<FlownCoverage, PlanError> flown_coverage(
     }
     paths.push_back(std::move(path));
   }
+  for (SprayedRun& run : runs) run.path = steadied(run.path, swath.base() / 2);
   return FlownCoverage{sprayed_areas(runs, land->land),
                        metres(length_outside_m(paths, offset(land->land, EdgeGrid::touch_m * 10)))};
 }

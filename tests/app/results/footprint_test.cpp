@@ -81,10 +81,9 @@ TEST_CASE("footprint: strips of any direction are sampled", "[app]") {
 
 TEST_CASE("ways: only what lies beyond an edge is outside, holes and obstacles included", "[app]") {
   MissionRecord record = small_plan();
-  record.scenario.field = {
-      .boundary = {at_m(0, 0), at_m(60, 0), at_m(60, 40), at_m(0, 40)},
-      .holes = {{at_m(20, 10), at_m(30, 10), at_m(30, 20), at_m(20, 20)}},
-      .obstacles = {{"tree", at_m(45, 30), metres(2)}}};
+  record.scenario.field = {.boundary = {at_m(0, 0), at_m(60, 0), at_m(60, 40), at_m(0, 40)},
+                           .holes = {{at_m(20, 10), at_m(30, 10), at_m(30, 20), at_m(20, 20)}},
+                           .obstacles = {{"tree", at_m(45, 30), metres(2)}}};
   // Edges are widened by 0.1 m on either side.
   CHECK(outside_m(record, {{at_m(50, 5), at_m(70, 5)}}) == Approx(9.9));
   CHECK(outside_m(record, {{at_m(0, 0.05), at_m(0, -0.05), at_m(60, -0.05)}}) == 0.0);

@@ -60,3 +60,31 @@ TEST_CASE("a spike of any width costs no cover") {
     CHECK(outside_m(spiked, metres(2), *c) == 0);
   }
 }
+
+TEST_CASE("a tremble at the end of a strip does not turn the boom") {
+  const Field field{.boundary = {at_m(0, 0), at_m(100, 0), at_m(100, 10), at_m(0, 10)},
+                    .holes = {},
+                    .obstacles = {}};
+  // Along y = 5 from end to end; before and after it, hovering, 2 cm to the side and back.
+  const std::vector<FlownPlace> track{
+      {at_m(0, 5), false},    {at_m(0, 5.02), true},   {at_m(0, 5), true},  {at_m(50, 5), true},
+      {at_m(99.99, 5), true}, {at_m(100, 5.02), true}, {at_m(100, 5), true}};
+  const auto flown = flown_coverage(field, metres(4), {track});
+  REQUIRE(flown);
+  CHECK(flown->areas.covered.base() == Approx(400));
+  CHECK(flown->areas.outside.base() == Approx(0).margin(1e-6));
+}
+
+TEST_CASE("what positions may err is kept from the edge where nothing outside may be sprayed") {
+  const Field field{.boundary = {at_m(0, 0), at_m(100, 0), at_m(100, 10), at_m(0, 10)},
+                    .holes = {},
+                    .obstacles = {}};
+  const auto c = swath_coverage(
+      field, metres(2),
+      {.edges = EdgeMode::stay_inside, .spray_margin = metres(0.1), .direction_deg = 90});
+  REQUIRE(c);
+  // 9.8 m across and 99.8 m along are left: five rows, the last shifted over the one before.
+  CHECK(c->strips.size() == 5);
+  CHECK(c->areas.covered.base() == Approx(99.8 * 9.8).margin(0.01));
+  CHECK(c->areas.outside.base() == Approx(0).margin(1e-6));
+}
