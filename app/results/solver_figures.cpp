@@ -24,7 +24,8 @@ void add_yardsticks(const MissionRecord& record, SolverFigures& f) {
     is_told = is_told && until_empty;
     if (until_empty) until_empty_s += until_empty->non_spray_s;
     if (!is_bracketed) continue;
-    const auto bracket = planner::continuous_bracket(problem, {.work_budget = bracket_work});
+    const auto bracket =
+        planner::continuous_bracket(record.plan.route, problem, {.work_budget = bracket_work});
     is_bracketed = bracket.has_value();
     if (!bracket) continue;
     anywhere_s += bracket->lower_s;

@@ -47,4 +47,12 @@ struct ContinuousBracket {
 Expected<ContinuousBracket, PlanError> continuous_bracket(const ReturnProblem& problem,
                                                           const ExactSettings& settings = {});
 
+/// The same, bounded from below on cells of at most a quarter of a metre: narrow also where the
+/// plan returns after long cells.
+/// @param route    Sprayed from end to end.
+/// @param problem  Of cells of `route`.
+Expected<ContinuousBracket, PlanError> continuous_bracket(const Route& route,
+                                                          const ReturnProblem& problem,
+                                                          const ExactSettings& settings = {});
+
 }  // namespace furrow::planner

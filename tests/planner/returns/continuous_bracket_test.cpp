@@ -120,5 +120,18 @@ TEST_CASE("continuous bracket: fifty rows from one corner", "[planner]") {
   CHECK(field_a_rows::flown_m(*unplanned_plan(p)) == Approx(45'811.0).epsilon(0.001));
 }
 
+TEST_CASE("continuous bracket: narrow at the cells that missions use", "[planner]") {
+  const Route route = field_a_rows::route(metres(2));
+  const ReturnProblem p = field_a_rows::problem(route);
+  const auto bracket = continuous_bracket(route, p);
+  const auto fine = continuous_bracket(field_a_rows::problem(field_a_rows::route(metres(0.5))));
+  REQUIRE(bracket);
+  REQUIRE(fine);
+  CHECK(bracket->gap() <= 0.0005);
+  CHECK(bracket->lower_s <= fine->upper.plan.non_spray_s);
+  CHECK(bracket->lower_s >= fine->lower_s);
+  CHECK(5.0 * bracket->mission_upper_s == Approx(37'208.0).epsilon(0.001));
+}
+
 }  // namespace
 }  // namespace furrow::planner
