@@ -52,33 +52,6 @@ TEST_CASE("footprint: ground passed twice is overlap, ground not passed is misse
   CHECK(f.missed_m2 == Approx(44.0));  // 11 of 12 cells
 }
 
-TEST_CASE("footprint: strips of any direction are sampled", "[app]") {
-  // A square of 20 m on its corner, ten rows along its sides, at 45 degrees to the axes. Samples
-  // lie a quarter metre apart, so an edge of 20 m is good to 20 * 0.25 m2 at worst.
-  const double r = std::sqrt(0.5);
-  const auto at = [&](double u, double v) { return at_m(r * (u - v), r * (u + v)); };
-  const Field field{
-      .boundary = {at(0, 0), at(20, 0), at(20, 20), at(0, 20)}, .holes = {}, .obstacles = {}};
-  std::vector<planner::Strip> rows;
-  for (double v = 1; v < 20; v += 2)
-    rows.push_back(planner::end_strip({0, 1}, at(0, v), at(20, v), {}));
-  const planner::Route route = planner::end_to_end_route(metres(2), rows);
-  std::vector<Pass> passes;
-  for (std::uint32_t i = 0; i < route.centers.size(); ++i) passes.push_back({i, 0.0});
-
-  const FootprintFigures whole = footprint(field, route, passes, 0);
-  CHECK(whole.wetted_m2 == Approx(400.0).margin(10.0));
-  CHECK(whole.missed_m2 == Approx(0.0).margin(2.0));
-  CHECK(whole.overlap_m2 == Approx(0.0).margin(2.0));
-  CHECK(whole.outside_m2 == Approx(0.0).margin(2.0));
-
-  // The first row half a metre to its right, over the edge: 10 m2 outside, 10 m2 dry.
-  for (std::uint32_t i = 0; i < route.strips[0].cells.count; ++i) passes[i].offset_m = 0.5;
-  const FootprintFigures shifted = footprint(field, route, passes, 0);
-  CHECK(shifted.outside_m2 == Approx(10.0).margin(5.0));
-  CHECK(shifted.missed_m2 == Approx(10.0).margin(5.0));
-}
-
 TEST_CASE("ways: only what lies beyond an edge is outside, holes and obstacles included", "[app]") {
   MissionRecord record = small_plan();
   record.scenario.field = {.boundary = {at_m(0, 0), at_m(60, 0), at_m(60, 40), at_m(0, 40)},
