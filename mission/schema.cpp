@@ -177,7 +177,7 @@ Obstacle read_obstacle(const Section& s) {
 }
 
 void read_obstacles_file(const Section& root, const Scenario& scenario,
-                         std::vector<Obstacle>& obstacles) {
+                         std::vector<Obstacle>& obstacles, std::set<std::string>& ids) {
   const auto file = root.optional_text("obstacles_file", "none");
   if (!file) return;
   if (!scenario.datum) {
@@ -190,7 +190,18 @@ void read_obstacles_file(const Section& root, const Scenario& scenario,
               fmt::format("{} in {}", read.error().value, *file));
     return;
   }
-  obstacles.insert(obstacles.end(), read->begin(), read->end());
+  for (Obstacle& obstacle : *read) {
+    if (!ids.insert(obstacle.id).second) {
+      root.fail("obstacles_file", "must hold ids that are unique among the obstacles", obstacle.id);
+    } else if (obstacle.radius > metres(10'000)) {
+      root.fail("obstacles_file", "must hold obstacles of at most 10000 m radius", obstacle.id);
+    }
+    obstacles.push_back(std::move(obstacle));
+  }
+  if (obstacles.size() > most_entries) {
+    root.fail("obstacles_file", fmt::format("must leave at most {} obstacles in all", most_entries),
+              std::to_string(obstacles.size()));
+  }
 }
 
 std::vector<Obstacle> read_obstacles(const Section& root, const Scenario& scenario) {
@@ -201,7 +212,7 @@ std::vector<Obstacle> read_obstacles(const Section& root, const Scenario& scenar
     const auto& id = obstacles.back().id;
     if (!id.empty() && !ids.insert(id).second) s.fail("id", "must be unique among the obstacles");
   }
-  read_obstacles_file(root, scenario, obstacles);
+  read_obstacles_file(root, scenario, obstacles, ids);
   return obstacles;
 }
 

@@ -42,10 +42,23 @@ std::optional<PlanError> fleet_fault(const std::vector<Vehicle>& vehicles) {
   return std::nullopt;
 }
 
+std::optional<PlanError> cut_off_strip(const planner::Route& route,
+                                       const planner::FerryMap& ferries) {
+  for (const planner::Strip& strip : route.strips) {
+    if (ferries.reaches(strip.begin) && ferries.reaches(strip.end)) continue;
+    return PlanError{PlanFault::out_of_reach,
+                     "the strip at (" + std::to_string(strip.begin.x.base()) + ", " +
+                         std::to_string(strip.begin.y.base()) +
+                         ") m is cut off from the stations by holes or obstacles"};
+  }
+  return std::nullopt;
+}
+
 Expected<Sketch, PlanError> sketch(const FleetProblem& problem, const planner::FerryMap& ferries,
                                    const planner::CoverageModel& model) {
   auto coverage = planner::cover(problem.field, problem.vehicles.front().swath, model);
   if (!coverage) return Unexpected{coverage.error()};
+  if (auto fault = cut_off_strip(coverage->route, ferries)) return Unexpected{std::move(*fault)};
   coverage->route.ferries = ferries;
   RouteLengths lengths = route_lengths(coverage->route, problem.stations);
   Draft drafted = draft(coverage->route, lengths, problem.vehicles, problem.stations);

@@ -33,6 +33,12 @@ class FerryMap::Ground {
   Ground(PointM origin, const LandPart& land, double cut_m)
       : origin_{origin}, land_{land}, paths_{land}, cut_m_{cut_m} {}
 
+  void cut_off(const LandPart& part) { cut_off_.emplace_back(part); }
+  bool is_cut_off(PointM p) const {
+    return std::any_of(cut_off_.begin(), cut_off_.end(),
+                       [p](const EdgeGrid& part) { return part.contains(p); });
+  }
+
   PointM plane(FieldPoint p) const { return PointM{p.x.base(), p.y.base()} - origin_; }
   FieldPoint field_point(PointM p) const { return at_m(p.x + origin_.x, p.y + origin_.y); }
 
@@ -86,6 +92,7 @@ class FerryMap::Ground {
   InsidePaths paths_;
   double cut_m_;
   std::vector<InsidePaths::Fan> fans_{};
+  std::vector<EdgeGrid> cut_off_{};
 };
 
 Expected<FerryMap, PlanError> FerryMap::over(const Field& field, const FerryRule& rule,
@@ -110,6 +117,9 @@ Expected<FerryMap, PlanError> FerryMap::over(const Field& field, const FerryRule
       open.begin(), open.end(),
       [](const LandPart& a, const LandPart& b) { return area_m2(a) < area_m2(b); });
   auto ground = std::make_shared<Ground>(land->origin, *whole, rule.corner_cut.base());
+  for (auto part = open.begin(); part != open.end(); ++part) {
+    if (part != whole) ground->cut_off(*part);
+  }
   for (const FieldPoint stand : stands) {
     if (!ground->contains(ground->plane(stand))) {
       return Unexpected{unreachable(stand, "has no way to the field around holes and obstacles")};
@@ -117,6 +127,10 @@ Expected<FerryMap, PlanError> FerryMap::over(const Field& field, const FerryRule
     ground->add_stand(ground->plane(stand));
   }
   return FerryMap{std::move(ground)};
+}
+
+bool FerryMap::reaches(FieldPoint place) const {
+  return !ground_ || !ground_->is_cut_off(ground_->plane(place));
 }
 
 std::vector<FieldPoint> FerryMap::way(FieldPoint from, FieldPoint to) const {

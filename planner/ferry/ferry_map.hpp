@@ -34,10 +34,14 @@ class FerryMap {
 
   /// @param stands  Places on the ground that ways lead to; each makes lengths from it cheap.
   /// @error  field_invalid, nothing_to_spray  See `field_land`.
-  /// @error  out_of_reach  A stand lies in an obstacle or has no way to some part of the land;
-  ///         `detail` says where.
+  /// @error  out_of_reach  A stand lies in an obstacle or has no way to the largest part of the
+  ///         land; `detail` says where.
   static Expected<FerryMap, PlanError> over(const Field& field, const FerryRule& rule,
                                             std::span<const FieldPoint> stands);
+
+  /// Whether a way leads to `place`: false on land that holes and obstacles cut off from the
+  /// stands.
+  bool reaches(FieldPoint place) const;
 
   /// From `from` to `to`, both included. A place off the map is left by the shortest way.
   std::vector<FieldPoint> way(FieldPoint from, FieldPoint to) const;

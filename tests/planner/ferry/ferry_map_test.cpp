@@ -141,3 +141,16 @@ TEST_CASE("a moved bend keeps its rounding clear of the corner") {
   CHECK(edges.sees(moved[0], moved[1]));
   CHECK(edges.sees(moved[1], moved[2]));
 }
+
+TEST_CASE("land that a closed zone cuts off is out of reach") {
+  // A zone of 20 m across a field of 200 x 100 m, the stand on its western side.
+  const Field field{.boundary = {at_m(0, 0), at_m(200, 0), at_m(200, 100), at_m(0, 100)},
+                    .holes = {},
+                    .obstacles = {outlined(
+                        "road", {at_m(90, -10), at_m(110, -10), at_m(110, 110), at_m(90, 110)})}};
+  const std::vector<FieldPoint> stands{at_m(20, -5)};
+  const auto map = FerryMap::over(field, {}, stands);
+  REQUIRE(map);
+  CHECK(map->reaches(at_m(50, 50)));
+  CHECK_FALSE(map->reaches(at_m(150, 50)));
+}
