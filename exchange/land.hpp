@@ -37,8 +37,8 @@ struct Land {
 Expected<Land, LandError> read_land(const std::string& path, std::size_t feature);
 Expected<Land, LandError> read_land(const LandFile& file, std::size_t feature);
 
-/// Reads obstacles from a GeoJSON file of points, each with its `radius_m` (> 0), and polygons, whose
-/// holes do not matter, each perhaps with an `id` or a `name`, into the field frame.
+/// Reads obstacles from a GeoJSON file of points, each with its `radius_m` (> 0), and polygons,
+/// whose holes do not matter, each perhaps with an `id` or a `name`, into the field frame.
 Expected<std::vector<Obstacle>, LandError> read_obstacles(const std::string& path,
                                                           const LocalFrame& frame);
 Expected<std::vector<Obstacle>, LandError> read_obstacles(const LandFile& file,
