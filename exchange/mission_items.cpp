@@ -62,7 +62,7 @@ std::vector<MissionItem> mission_items(const SortieTrack& track, const LocalFram
     items.push_back(speed_item(opens ? track.spray_speed : track.ferry_speed));
     is_open = opens;
   }
-  items.push_back({mavlink::frame_mission, mavlink::return_to_launch, {}});
+  items.push_back(at_place(mavlink::land, frame.to_wgs84(track.landing), metres(0)));
   return items;
 }
 

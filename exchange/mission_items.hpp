@@ -17,7 +17,7 @@ struct MissionItem {
 
 namespace mavlink {
 inline constexpr int frame_global = 0, frame_mission = 2, frame_relative_altitude = 3;
-inline constexpr int waypoint = 16, return_to_launch = 20, take_off = 22;
+inline constexpr int waypoint = 16, land = 21, take_off = 22;
 inline constexpr int change_speed = 178, sprayer = 216;
 }  // namespace mavlink
 

@@ -19,11 +19,12 @@ struct TrackPoint {
   bool is_spraying;
 };
 
-/// One trip of one aircraft: from home over the points and back home.
+/// One trip of one aircraft: from home over the points to the place where it lands.
 struct SortieTrack {
   AgentId uav;
   std::uint32_t sortie;  ///< From 1.
-  FieldPoint home;
+  FieldPoint home;       ///< Where it takes off.
+  FieldPoint landing;    ///< Where it lands: the station that serves it next, or its last.
   std::vector<TrackPoint> points;  ///< At least one. The valve closes at the last at the latest.
   Length altitude;                 ///< Above home, > 0.
   Speed spray_speed, ferry_speed;  ///< > 0
@@ -40,9 +41,9 @@ std::string file_name(const SortieTrack& track, MissionFormat format);
 /// The sortie as a file; coordinates to 1e-9 degrees.
 ///
 /// qgc_plan and waypoints hold MAVLink items: take-off, speed, waypoints, DO_SPRAYER in pairs of
-/// on and off, return to launch. An item that acts is placed behind the waypoint where it acts.
-/// geojson and kml hold one line per stretch of one valve state, csv one row per point, all
-/// with home first and last.
+/// on and off, land at the landing place. An item that acts is placed behind the waypoint where it
+/// acts. geojson and kml hold one line per stretch of one valve state, csv one row per point, all
+/// with home first and the landing place last.
 std::string mission_file(const SortieTrack& track, const LocalFrame& frame, MissionFormat format);
 
 }  // namespace furrow::exchange

@@ -15,13 +15,12 @@ struct Stop {
 };
 
 std::vector<Stop> stops(const SortieTrack& track, const LocalFrame& frame) {
-  const GeoPoint home = frame.to_wgs84(track.home);
-  std::vector<Stop> stops{{home, false}};
+  std::vector<Stop> stops{{frame.to_wgs84(track.home), false}};
   for (const TrackPoint& point : track.points) {
     stops.push_back({frame.to_wgs84(point.at), point.is_spraying});
   }
   stops.back().is_spraying = false;
-  stops.push_back({home, false});
+  stops.push_back({frame.to_wgs84(track.landing), false});
   return stops;
 }
 

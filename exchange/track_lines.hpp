@@ -13,7 +13,7 @@ struct TrackLine {
   bool is_spraying;
 };
 
-/// The sortie from home to home, in order.
+/// The sortie from home to landing, in order.
 std::vector<TrackLine> track_lines(const SortieTrack& track, const LocalFrame& frame);
 
 std::string geojson(const SortieTrack& track, const LocalFrame& frame);

@@ -1,11 +1,14 @@
 #include "app/exports/missions_json.hpp"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 namespace furrow::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr int version = 2;  // 1 knew no landing place
 
 Json point(FieldPoint p) { return Json::array({p.x.base(), p.y.base()}); }
 
@@ -19,6 +22,7 @@ Json to_json(const exchange::SortieTrack& track) {
   return {{"uav", number(track.uav)},
           {"sortie", track.sortie},
           {"home_m", point(track.home)},
+          {"landing_m", point(track.landing)},
           {"altitude_m", track.altitude.base()},
           {"spray_speed_mps", track.spray_speed.base()},
           {"ferry_speed_mps", track.ferry_speed.base()},
@@ -29,6 +33,7 @@ exchange::SortieTrack track(const Json& json) {
   exchange::SortieTrack track{.uav = AgentId{json.at("uav").get<std::uint32_t>()},
                               .sortie = json.at("sortie"),
                               .home = point(json.at("home_m")),
+                              .landing = point(json.at("landing_m")),
                               .points = {},
                               .altitude = metres(json.at("altitude_m")),
                               .spray_speed = metres_per_second(json.at("spray_speed_mps")),
@@ -50,14 +55,17 @@ std::string missions_json(const Missions& missions) {
   Json sorties = Json::array();
   for (const exchange::SortieTrack& track : missions.sorties) sorties.push_back(to_json(track));
   const Json all{
-      {"version", 1}, {"datum", datum_json(missions.datum)}, {"sorties", std::move(sorties)}};
+      {"version", version}, {"datum", datum_json(missions.datum)}, {"sorties", std::move(sorties)}};
   return all.dump(1) + "\n";
 }
 
 Expected<Missions, std::string> read_missions(const std::string& json) {
   try {
     const Json all = Json::parse(json);
-    if (all.at("version") != 1) return Unexpected{std::string{"version must be 1"}};
+    if (const Json& found = all.at("version"); found != version) {
+      return Unexpected{fmt::format("version: must be {} (got {}): plan the scenario again",
+                                    version, found.dump())};
+    }
     Missions missions{};
     if (const Json& datum = all.at("datum"); !datum.is_null()) {
       missions.datum =

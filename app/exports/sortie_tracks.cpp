@@ -51,6 +51,7 @@ std::vector<exchange::SortieTrack> sortie_tracks(const scheduler::FleetPlan& pla
       tracks.push_back({.uav = uav.vehicle.id,
                         .sortie = ++number,
                         .home = home,
+                        .landing = uav.station.position,
                         .points = track(order, home, uav.station.position, plan.route.ferries),
                         .altitude = metres(altitude_m),
                         .spray_speed = uav.vehicle.spray_speed,

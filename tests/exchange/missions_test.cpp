@@ -26,6 +26,7 @@ SortieTrack track() {
   return {.uav = AgentId{2},
           .sortie = 3,
           .home = at_m(-10, -10),
+          .landing = at_m(-20, 5),
           .points = {{at_m(0, 0), true},
                      {at_m(100, 0), false},
                      {at_m(100, 2), true},
@@ -42,11 +43,11 @@ struct Leg {
 };
 
 // The course of track(): five ways, of which the second and the fourth are sprayed.
-void check_course(const std::vector<Leg>& legs, bool comes_home) {
+void check_course(const std::vector<Leg>& legs) {
   const std::vector<FieldPoint> places{at_m(0, 0), at_m(100, 0), at_m(100, 2), at_m(0, 2),
-                                       at_m(-10, -10)};
+                                       at_m(-20, 5)};
   const std::vector<bool> sprayed{false, true, false, true, false};
-  REQUIRE(legs.size() == (comes_home ? 5 : 4));
+  REQUIRE(legs.size() == places.size());
   for (std::size_t i = 0; i < legs.size(); ++i) {
     const GeoPoint expected = frame().to_wgs84(places[i]);
     CHECK(std::abs(legs[i].to.lon_deg - expected.lon_deg) < 1e-7);
@@ -60,11 +61,11 @@ struct Autopilot {
   std::vector<Leg> legs = {};
   std::vector<double> speeds_mps = {};
   int switched_on = 0, switched_off = 0;
-  bool is_spraying = false, is_up = false, is_home = false;
+  bool is_spraying = false, is_up = false, has_landed = false;
 
   void execute(int command, const std::vector<double>& params) {
     REQUIRE(params.size() == 7);
-    REQUIRE(!is_home);
+    REQUIRE(!has_landed);
     switch (command) {
       case 22: is_up = true; break;
       case 16:
@@ -78,13 +79,17 @@ struct Autopilot {
         is_spraying = params[0] == 1;
         ++(is_spraying ? switched_on : switched_off);
         break;
-      case 20: is_home = true; break;
+      case 21:
+        CHECK(params[6] == 0);
+        legs.push_back({{params[5], params[4]}, is_spraying});
+        has_landed = true;
+        break;
       default: FAIL("an unknown command: " << command);
     }
   }
   void check() const {
-    check_course(legs, false);
-    CHECK(is_home);
+    check_course(legs);
+    CHECK(has_landed);
     CHECK(switched_on == 2);
     CHECK(switched_off == 2);
     CHECK(speeds_mps == std::vector<double>{6, 3, 6, 3, 6});
@@ -108,9 +113,10 @@ TEST_CASE("A QGroundControl plan flies the sortie with the valve in pairs of on 
     CHECK(item.at("type") == "SimpleItem");
     CHECK(item.at("doJumpId") == id++);
     CHECK(item.at("autoContinue") == true);
-    const bool is_place = item.at("command") == 16 || item.at("command") == 22;
+    const int command = item.at("command");
+    const bool is_place = command == 16 || command == 21 || command == 22;
     CHECK(item.at("frame") == (is_place ? 3 : 2));
-    autopilot.execute(item.at("command"), item.at("params"));
+    autopilot.execute(command, item.at("params"));
   }
   autopilot.check();
 }
@@ -173,21 +179,21 @@ std::vector<Leg> legs_by_ogr(const std::string& content, const std::string& name
   return legs;
 }
 
-TEST_CASE("GeoJSON holds one line per stretch of one valve state, from home to home") {
+TEST_CASE("GeoJSON holds one line per stretch of one valve state, from home to the landing") {
   const auto legs =
       legs_by_ogr(mission_file(track(), frame(), MissionFormat::geojson), "/vsimem/track.geojson",
                   [](OGRFeature& f) { return f.GetFieldAsInteger("spraying") == 1; });
-  check_course(legs, true);
+  check_course(legs);
 }
 
-TEST_CASE("KML holds one line per stretch of one valve state, from home to home") {
+TEST_CASE("KML holds one line per stretch of one valve state, from home to the landing") {
   const auto legs =
       legs_by_ogr(mission_file(track(), frame(), MissionFormat::kml), "/vsimem/track.kml",
                   [](OGRFeature& f) { return f.GetFieldAsString("Name") == std::string{"spray"}; });
-  check_course(legs, true);
+  check_course(legs);
 }
 
-TEST_CASE("CSV holds a row for every point, from home to home") {
+TEST_CASE("CSV holds a row for every point, from home to the landing") {
   std::istringstream file{mission_file(track(), frame(), MissionFormat::csv)};
   std::string line;
   std::getline(file, line);
@@ -207,7 +213,7 @@ TEST_CASE("CSV holds a row for every point, from home to home") {
     if (row > 0) legs.push_back({{cells[3], cells[4]}, is_spraying});
     is_spraying = cells[6] == 1;
   }
-  check_course(legs, true);
+  check_course(legs);
 }
 
 TEST_CASE("A valve still open at the last point is closed there") {
