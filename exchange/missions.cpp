@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 namespace furrow::exchange {
@@ -39,6 +40,25 @@ std::optional<MissionFormat> mission_format(std::string_view name) {
 
 std::string file_name(const SortieTrack& track, MissionFormat format) {
   return fmt::format("uav{}_sortie{}.{}", number(track.uav), track.sortie, row(format).extension);
+}
+
+std::optional<MissionFormat> format_of_file(std::string_view file_name) {
+  const auto skip = [&](std::string_view word) {
+    if (!file_name.starts_with(word)) return false;
+    file_name.remove_prefix(word.size());
+    return true;
+  };
+  const auto skip_number = [&] {
+    const std::size_t digits =
+        std::min(file_name.find_first_not_of("0123456789"), file_name.size());
+    file_name.remove_prefix(digits);
+    return digits > 0;
+  };
+  if (!skip("uav") || !skip_number() || !skip("_sortie") || !skip_number() || !skip(".")) return {};
+  for (const FormatRow& row : rows) {
+    if (row.extension == file_name) return row.format;
+  }
+  return std::nullopt;
 }
 
 std::string mission_file(const SortieTrack& track, const LocalFrame& frame, MissionFormat format) {

@@ -38,6 +38,10 @@ std::optional<MissionFormat> mission_format(std::string_view name);
 /// "uav1_sortie2.plan", with the extension of the format.
 std::string file_name(const SortieTrack& track, MissionFormat format);
 
+/// The format of the file that `file_name` names so, of whatever aircraft and sortie; none for
+/// other names.
+std::optional<MissionFormat> format_of_file(std::string_view file_name);
+
 /// The sortie as a file; coordinates to 1e-9 degrees.
 ///
 /// qgc_plan and waypoints hold MAVLink items: take-off, speed, waypoints, DO_SPRAYER in pairs of

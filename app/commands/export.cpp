@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fstream>
 #include <iterator>
+#include <vector>
 
 namespace furrow::app {
 namespace {
@@ -14,6 +15,18 @@ namespace fs = std::filesystem;
 int refused(const std::string& sentence) {
   fmt::print(stderr, "furrow: {}\n", sentence);
   return Exit::bad_input;
+}
+
+// Mission files of this format in the folder, from whatever export.
+std::vector<fs::path> earlier_missions(const fs::path& folder, exchange::MissionFormat format) {
+  std::vector<fs::path> files;
+  std::error_code none;
+  for (auto entry = fs::directory_iterator{folder, none};
+       !none && entry != fs::directory_iterator{}; entry.increment(none)) {
+    const bool is_mission = exchange::format_of_file(entry->path().filename().string()) == format;
+    if (is_mission && entry->is_regular_file()) files.push_back(entry->path());
+  }
+  return files;
 }
 
 }  // namespace
@@ -42,6 +55,11 @@ int export_missions(const Options& options) {
       options.out.empty() ? fs::path{options.folder} / "export" : fs::path{options.out};
   std::error_code fault;
   fs::create_directories(target, fault);
+  for (const fs::path& earlier : earlier_missions(target, *format)) {
+    if (!fs::remove(earlier, fault)) {
+      return refused(fmt::format("{}: an earlier export that cannot be removed", earlier.string()));
+    }
+  }
   const exchange::LocalFrame frame{*missions->datum};
   for (const exchange::SortieTrack& track : missions->sorties) {
     const fs::path path = target / exchange::file_name(track, *format);

@@ -233,4 +233,17 @@ TEST_CASE("Files are named by aircraft, sortie and format") {
   CHECK(!mission_format("xlsx"));
 }
 
+TEST_CASE("Only names of mission files are told as such") {
+  for (const char* name : {"qgc-plan", "waypoints", "geojson", "kml", "csv"}) {
+    const auto format = mission_format(name);
+    REQUIRE(format);
+    CHECK(format_of_file(file_name(track(), *format)) == format);
+  }
+  for (const char* name :
+       {"", "uav", "uav1_sortie.csv", "uav_sortie1.csv", "uav1_sortie1.csv.bak", "uav1_sortie1",
+        "my_uav1_sortie1.csv", "uav1_sortie1x.kml", "sorties.csv"}) {
+    CHECK(!format_of_file(name));
+  }
+}
+
 }  // namespace
