@@ -1,0 +1,52 @@
+#pragma once
+// The fleet problem: one path, aircraft that may differ, stations with few bays.
+
+#include "planner/fleet/strip_path.hpp"
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace furrow::planner::fleet {
+
+/// What one aircraft can do, in metres and seconds. All are greater than zero but `service_s`.
+struct Flier {
+  double tank_m;                                            ///< Sprayed per tank.
+  double pack_s = std::numeric_limits<double>::infinity();  ///< Flown per pack, reserve kept.
+  double spray_mps, ferry_mps;
+  double service_s = 0.0;  ///< In the bay, beyond what the station takes.
+  FieldPoint start;        ///< Where it stands at time 0, tank and pack full.
+};
+
+/// Where tanks are filled and packs are swapped: both at every visit.
+struct Depot {
+  FieldPoint position;
+  std::uint32_t bays = 1;  ///< >= 1.
+  double service_s = 0.0;
+};
+
+struct FleetProblem {
+  StripPath path;
+  std::vector<Flier> fliers;  ///< At least one.
+  std::vector<Depot> depots;  ///< At least one.
+};
+
+/// A stretch of the path sprayed in one flight.
+struct Sortie {
+  double from_m, to_m;  ///< Positions on the path, from < to.
+  std::uint32_t flier;
+  std::uint32_t depot;  ///< Where it lands.
+};
+
+/// The sorties of all aircraft. Each flies its own in this order.
+using FleetSorties = std::vector<Sortie>;
+
+/// How a plan is flown, by aircraft and by sortie as they stand in the plan.
+struct Timetable {
+  std::vector<double> leaves_s, lands_s;  ///< By sortie; leaving the start or the bay.
+  double makespan_s;                      ///< All have landed for good.
+  double non_spray_s;                     ///< Of all aircraft: up to landing, less spraying.
+  double wait_s;                          ///< In queues; part of the above.
+};
+
+}  // namespace furrow::planner::fleet

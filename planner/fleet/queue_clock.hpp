@@ -1,0 +1,47 @@
+#pragma once
+
+#include "planner/fleet/problem.hpp"
+
+#include <span>
+
+namespace furrow::planner::fleet {
+
+/// Flight of one sortie, out from a place, over its hops and home, seconds.
+double flight_s(const FleetProblem& problem, const Sortie& sortie, FieldPoint from);
+
+/// The finish of a plan without its timetable.
+struct Finish {
+  double makespan_s;
+  double total_s;  ///< Sum of all aircraft's last landings.
+  double wait_s;
+};
+
+/// Flies plans from time 0. Each depot serves first come first served, those who come at the same
+/// instant by number, in the bay that is free first. Aircraft leave the start at once, land after
+/// every sortie and are serviced before the next. Keeps its working space: for the inside of a
+/// search.
+///
+/// Time O(sorties * log aircraft).
+class QueueClock {
+ public:
+  explicit QueueClock(const FleetProblem& problem);
+
+  Finish finish(std::span<const Sortie> sorties);
+  Timetable timetable(std::span<const Sortie> sorties);
+
+ private:
+  struct Arrival {
+    double at_s;
+    std::uint32_t flier, sortie;
+  };
+  void link(std::span<const Sortie> sorties);
+  double service_start_s(const Sortie& landed, double arrives_s);
+
+  const FleetProblem& problem_;
+  std::vector<std::uint32_t> first_, next_;  ///< Sorties by aircraft, a linked list.
+  std::vector<std::vector<double>> free_s_;  ///< By depot and bay.
+  std::vector<Arrival> arrivals_;            ///< A heap.
+  std::vector<double> leaves_s_, lands_s_;
+};
+
+}  // namespace furrow::planner::fleet

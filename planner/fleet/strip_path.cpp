@@ -1,0 +1,45 @@
+#include "planner/fleet/strip_path.hpp"
+
+#include "core/require.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace furrow::planner::fleet {
+
+StripPath::StripPath(const std::vector<StraightStrip>& strips) {
+  require(!strips.empty(), "a path has strips");
+  double at_m = 0.0, hops_m = 0.0;
+  for (std::size_t i = 0; i < strips.size(); ++i) {
+    const auto& [begin, end] = strips[i];
+    const double length_m = distance(begin, end).base();
+    require(length_m > 0.0, "a strip is longer than zero");
+    if (i > 0) hops_m += distance(strips[i - 1].end, begin).base();
+    strips_.push_back({begin.x.base(), begin.y.base(), (end.x - begin.x).base() / length_m,
+                       (end.y - begin.y).base() / length_m});
+    begins_m_.push_back(at_m);
+    hops_m_.push_back(hops_m);
+    at_m += length_m;
+  }
+  begins_m_.push_back(at_m);
+}
+
+std::uint32_t StripPath::strip_from(double at_m) const {
+  const auto after = std::upper_bound(begins_m_.begin() + 1, begins_m_.end() - 1, at_m);
+  return static_cast<std::uint32_t>(after - begins_m_.begin() - 1);
+}
+
+std::uint32_t StripPath::strip_to(double at_m) const {
+  const auto at = std::lower_bound(begins_m_.begin() + 1, begins_m_.end() - 1, at_m);
+  return static_cast<std::uint32_t>(at - begins_m_.begin() - 1);
+}
+
+double StripPath::away_m(FieldPoint place, std::uint32_t strip, double at_m) const {
+  const Line& line = strips_[strip];
+  const double along_m = at_m - begins_m_[strip];
+  const double x_m = line.x_m + along_m * line.along_x - place.x.base();
+  const double y_m = line.y_m + along_m * line.along_y - place.y.base();
+  return std::sqrt(x_m * x_m + y_m * y_m);
+}
+
+}  // namespace furrow::planner::fleet
