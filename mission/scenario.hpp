@@ -9,6 +9,7 @@
 #include "exchange/local_frame.hpp"
 #include "planner/coverage/cover.hpp"
 #include "planner/returns/solve.hpp"
+#include "planner/terrain/relief.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -42,6 +43,7 @@ struct Scenario {
   std::vector<Station> stations;             ///< At least one, ids rising.
   std::vector<Vehicle> uavs;                 ///< At least one, ids 1, 2, ... in file order.
   Wind wind;
+  std::optional<planner::TerrainModel> terrain;  ///< None: level, and heights are not flown.
   planner::SolveSettings solver;  ///< Its seed is the scenario's.
   Link link;
   Duration agent_lease;       ///< An agent silent for longer is lost.

@@ -2,6 +2,7 @@
 
 #include "exchange/land.hpp"
 #include "mission/checks.hpp"
+#include "mission/terrain.hpp"
 
 #include <fmt/format.h>
 
@@ -410,6 +411,7 @@ Draft read_scenario(const Section& root) {
   draft.supply_in_order = in_order(root, [&] { read_supply(root, draft); });
   draft.fleet_in_order = in_order(root, [&] { read_uavs(root, draft); });
   s.wind = read_wind(root.section("wind"));
+  s.terrain = read_terrain(root.section("terrain"), s);
   s.solver = read_solver(root.section("solver"), s.seed);
   s.link = read_link(root.section("link"));
   read_limits(root.section("limits"), s);

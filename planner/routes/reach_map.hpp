@@ -1,6 +1,7 @@
 #pragma once
 // What it takes to fly from one place to every other over terrain.
 
+#include "planner/routes/flight_cost.hpp"
 #include "planner/routes/scene.hpp"
 
 #include <cstdint>
@@ -14,14 +15,6 @@ struct AirSpeeds {
   double climb_mps, descent_mps;
   double climb_energy_s_per_m =
       0;  ///< Pack used for a metre of climb, in seconds of level flight; >= 0.
-};
-
-/// Seconds of flight, and of the pack in seconds of level flight.
-struct FlightCost {
-  double time_s, energy_s;
-  friend constexpr FlightCost operator+(FlightCost a, FlightCost b) {
-    return {a.time_s + b.time_s, a.energy_s + b.energy_s};
-  }
 };
 
 /// Of the straight line from `a` to `b`: as long as its length, climb or descent takes, whichever

@@ -1,0 +1,13 @@
+#pragma once
+// The terrain of a scenario file.
+
+#include "mission/reader.hpp"
+#include "mission/scenario.hpp"
+
+namespace furrow::mission {
+
+/// Reads `terrain`. Without peaks, base and file the land is level and heights are not flown.
+/// @param scenario  Its field and datum have been read.
+std::optional<planner::TerrainModel> read_terrain(const Section& terrain, const Scenario& scenario);
+
+}  // namespace furrow::mission

@@ -1,0 +1,91 @@
+#pragma once
+// The ground under a mission, and how its aircraft keep their height over it.
+
+#include "core/vehicle.hpp"
+#include "planner/routes/flight_cost.hpp"
+#include "planner/routes/scene.hpp"
+#include "planner/terrain/terrain.hpp"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace furrow::planner {
+
+/// How a fleet keeps its height. All > 0 unless said.
+struct HeightRule {
+  Length spray_height = metres(3);  ///< Above the ground, kept at work: on strips and between them.
+  Length clearance = metres(15);    ///< Least height above the ground on the way of a ferry, >= 0.
+  std::optional<Length> ceiling{};  ///< No ferry flies higher, above the datum.
+  Speed climb = metres_per_second(3), descent = metres_per_second(2);
+  /// Pack used for a metre of climb, in seconds of level flight, >= 0.
+  double climb_energy_s_per_m = 0.1;
+  double slowest = 0.25;     ///< Share of a speed that slopes slow an aircraft down to at most.
+  std::uint32_t layers = 1;  ///< Heights that ferries are spread over, by aircraft, >= 1.
+  Length layer = metres(5);  ///< Between them.
+};
+
+/// The ground of a mission, as a scenario says it.
+struct TerrainModel {
+  Terrain ground;
+  HeightRule rule{};
+  std::vector<KeepOut> keep_out{};  ///< No ferry enters them.
+};
+
+/// A piece of a way with its height: straight from where the piece before ended.
+struct AirLeg {
+  FieldPoint to;
+  double limit_mps;   ///< Speed over the ground at which climb and descent are kept.
+  double altitude_m;  ///< At its end, above the datum.
+};
+
+/// Pieces of a way, from `altitude_m` on.
+struct AirWay {
+  double altitude_m;
+  std::vector<AirLeg> legs;
+};
+
+/// The ground as aircraft fly over it. A copy shares the samples.
+class Relief {
+ public:
+  Relief(Surface surface, HeightRule rule, std::vector<KeepOut> keep_out);
+  Relief(const TerrainModel& model, const Extent& extent);
+
+  const Surface& surface() const { return surface_; }
+  const HeightRule& rule() const { return rule_; }
+  const std::vector<KeepOut>& keep_out() const { return keep_out_; }
+
+  /// Where an aircraft at work is above `p`, above the datum.
+  double work_altitude_m(FieldPoint p) const;
+
+  /// From `from` to `to` at work height: slower than `speed` where the ground rises or falls faster
+  /// than an aircraft climbs or descends. Pieces of equal length, of at most `pitch_m`.
+  AirWay contour(FieldPoint from, FieldPoint to, Speed speed) const;
+
+  /// A ferry along `way`, from work height to work height. It climbs out and comes down as steeply
+  /// as `speed` allows, keeps `layer` above the way in between, and is never under work height.
+  /// @param way  From where it starts to where it ends, two or more.
+  AirWay ferry(std::span<const WayPoint> way, Speed speed, Length layer) const;
+
+  /// The ferry height of an aircraft above that of the lowest layer.
+  Length layer_of(AgentId agent) const;
+
+  /// Of a way at the speeds of its legs.
+  FlightCost cost(FieldPoint from, const AirWay& way) const;
+
+  /// Metres of a way where even the least speed climbs or descends faster than the rule says: the
+  /// height is not kept there.
+  double too_steep_m(FieldPoint from, const AirWay& way) const;
+
+  double pitch_m() const { return pitch_m_; }
+
+ private:
+  double limit_mps(double run_m, double rise_m, double speed_mps) const;
+
+  Surface surface_;
+  HeightRule rule_;
+  std::vector<KeepOut> keep_out_;
+  double pitch_m_;
+};
+
+}  // namespace furrow::planner

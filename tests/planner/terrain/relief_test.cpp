@@ -1,0 +1,85 @@
+#include "planner/terrain/relief.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+namespace furrow::planner {
+namespace {
+
+// A ramp that rises 1 m in `run_m` eastwards from x = 0 on.
+Surface ramp(double run_m) {
+  Raster raster{at_m(0, 0), metres(10), 101, 2, {}};
+  for (int j = 0; j < 2; ++j) {
+    for (int i = 0; i <= 100; ++i) raster.heights_m.push_back(static_cast<float>(10 * i / run_m));
+  }
+  return Surface{raster};
+}
+
+const HeightRule rule{.spray_height = metres(3),
+                      .clearance = metres(15),
+                      .climb = metres_per_second(3),
+                      .descent = metres_per_second(2),
+                      .climb_energy_s_per_m = 0.1,
+                      .layers = 3,
+                      .layer = metres(5)};
+
+TEST_CASE("Work keeps its height and slows down where the ground outpaces climb or descent") {
+  const Relief relief{ramp(2), rule, {}};
+  const AirWay up = relief.contour(at_m(0, 5), at_m(100, 5), metres_per_second(8));
+  CHECK(up.altitude_m == Approx(3));
+  for (const AirLeg& leg : up.legs) {
+    CHECK(leg.altitude_m == Approx(3 + leg.to.x.base() / 2));
+    CHECK(leg.limit_mps == Approx(6));  // rises 0.5 m per metre: 3 m/s of climb
+  }
+  // 50 m of climb: 100 / 6 s, and 5 s more of the pack.
+  CHECK(relief.cost(at_m(0, 5), up).time_s == Approx(100 / 6.0));
+  CHECK(relief.cost(at_m(0, 5), up).energy_s == Approx(100 / 6.0 + 5));
+  CHECK(relief.too_steep_m(at_m(0, 5), up) == 0);
+
+  const AirWay down = relief.contour(at_m(100, 5), at_m(0, 5), metres_per_second(8));
+  CHECK(down.legs.front().limit_mps == Approx(4));
+  CHECK(relief.cost(at_m(100, 5), down).energy_s == Approx(25));
+}
+
+TEST_CASE("Where even the least speed is too fast the length is said") {
+  const Relief relief{ramp(0.5), rule, {}};  // 2 m per metre: 1.5 m/s, a quarter of 8 is 2
+  const AirWay up = relief.contour(at_m(0, 5), at_m(40, 5), metres_per_second(8));
+  CHECK(up.legs.front().limit_mps == Approx(2));
+  CHECK(relief.too_steep_m(at_m(0, 5), up) == Approx(40));
+}
+
+TEST_CASE("A ferry climbs out and comes down at full speed and keeps its layer between") {
+  const Relief relief{Surface::level(metres(100)), rule, {}};
+  const std::vector<WayPoint> way{{0, 0, 115}, {400, 0, 115}};
+  for (const AgentId agent : {AgentId{1}, AgentId{2}, AgentId{3}, AgentId{4}}) {
+    const Length layer = relief.layer_of(agent);
+    CHECK(layer == metres(5.0 * ((number(agent) - 1) % 3)));
+    const AirWay air = relief.ferry(way, metres_per_second(6), layer);
+    CHECK(air.altitude_m == Approx(103));
+    CHECK(air.legs.back().altitude_m == Approx(103));
+    double highest_m = 0;
+    for (const AirLeg& leg : air.legs) {
+      CHECK(leg.limit_mps == Approx(6));
+      highest_m = std::max(highest_m, leg.altitude_m);
+    }
+    CHECK(highest_m == Approx(115 + layer.base()));
+    const FlightCost cost = relief.cost(at_m(0, 0), air);
+    CHECK(cost.time_s == Approx(400 / 6.0));
+    CHECK(cost.energy_s == Approx(400 / 6.0 + 0.1 * (12 + layer.base())));
+  }
+}
+
+TEST_CASE("No ferry is under work height, whatever its way says") {
+  const AnalyticTerrain hill{.base = {}, .peaks = {{at_m(200, 0), metres(60), metres(80), metres(80)}}};
+  const Relief relief{{.ground = hill, .rule = rule}, {at_m(-50, -200), at_m(450, 200)}};
+  const std::vector<WayPoint> way{{0, 0, 20}, {400, 0, 20}};
+  const AirWay air = relief.ferry(way, metres_per_second(6), {});
+  for (const AirLeg& leg : air.legs) {
+    CHECK(leg.altitude_m >= height(hill, leg.to).base() + 3 - 0.11);
+  }
+  CHECK(relief.cost(at_m(0, 0), air).time_s > 400 / 6.0);
+}
+
+}  // namespace
+}  // namespace furrow::planner
