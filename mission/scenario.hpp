@@ -44,7 +44,7 @@ struct Scenario {
   std::vector<Vehicle> uavs;                 ///< At least one, ids 1, 2, ... in file order.
   Wind wind;
   std::optional<planner::TerrainModel> terrain;  ///< None: level, and heights are not flown.
-  planner::SolveSettings solver;  ///< Its seed is the scenario's.
+  planner::SolveSettings solver;                 ///< Its seed is the scenario's.
   Link link;
   Duration agent_lease;       ///< An agent silent for longer is lost.
   Duration mission_limit;     ///< The run is given up after this mission time.

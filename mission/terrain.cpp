@@ -91,8 +91,7 @@ std::optional<Raster> read_raster(const Section& terrain, const Scenario& scenar
   const auto frame = exchange::LocalFrame{scenario.datum.value_or(exchange::Datum{})};
   auto raster = exchange::read_heights(path.string(), frame);
   if (!raster) {
-    terrain.fail("file", raster.error().rule,
-                 fmt::format("{} in {}", raster.error().value, *file));
+    terrain.fail("file", raster.error().rule, fmt::format("{} in {}", raster.error().value, *file));
     return std::nullopt;
   }
   for (const FieldPoint corner : scenario.field.boundary) {
@@ -120,9 +119,8 @@ std::optional<planner::TerrainModel> read_terrain(const Section& s, const Scenar
   }
   if (!is_level) return model;
   const bool is_broken = s.has("file") || s.has("peaks") || s.has("base");
-  for (const char* key :
-       {"spray_height_m", "clearance_m", "ceiling_m", "climb_mps", "descent_mps",
-        "climb_energy_s_per_m", "slowest", "layers", "layer_m", "keep_out"}) {
+  for (const char* key : {"spray_height_m", "clearance_m", "ceiling_m", "climb_mps", "descent_mps",
+                          "climb_energy_s_per_m", "slowest", "layers", "layer_m", "keep_out"}) {
     if (s.has(key) && !is_broken) {
       s.fail(key, "needs peaks, base or file: level land is flown without heights");
     }

@@ -50,8 +50,7 @@ AirWay Relief::contour(FieldPoint from, FieldPoint to, Speed speed) const {
   double before_m = way.altitude_m;
   for (int i = 1; i <= n; ++i) {
     const double t = static_cast<double>(i) / n;
-    const FieldPoint p =
-        i == n ? to : from + FieldVector{t * (to.x - from.x), t * (to.y - from.y)};
+    const FieldPoint p = i == n ? to : from + FieldVector{t * (to.x - from.x), t * (to.y - from.y)};
     const double here_m = work_altitude_m(p);
     way.legs.push_back({p, limit_mps(length_m / n, here_m - before_m, speed.base()), here_m});
     before_m = here_m;
@@ -78,8 +77,8 @@ AirWay Relief::ferry(std::span<const WayPoint> way, Speed speed, Length layer) c
       const WayPoint p = between(way[k - 1], way[k], static_cast<double>(i) / n);
       gone_m += length_m / n;
       left_m -= length_m / n;
-      const double wanted_m = std::min({p.z_m + layer.base(), leaves_m + up * gone_m,
-                                        arrives_m + down * std::max(0.0, left_m)});
+      const double wanted_m = std::min(
+          {p.z_m + layer.base(), leaves_m + up * gone_m, arrives_m + down * std::max(0.0, left_m)});
       const double here_m = std::max(wanted_m, work_altitude_m(place(p)));
       const double limit = limit_mps(length_m / n, here_m - before_m, speed.base());
       made.legs.push_back({place(p), limit, here_m});

@@ -71,7 +71,8 @@ TEST_CASE("A ferry climbs out and comes down at full speed and keeps its layer b
 }
 
 TEST_CASE("No ferry is under work height, whatever its way says") {
-  const AnalyticTerrain hill{.base = {}, .peaks = {{at_m(200, 0), metres(60), metres(80), metres(80)}}};
+  const AnalyticTerrain hill{.base = {},
+                             .peaks = {{at_m(200, 0), metres(60), metres(80), metres(80)}}};
   const Relief relief{{.ground = hill, .rule = rule}, {at_m(-50, -200), at_m(450, 200)}};
   const std::vector<WayPoint> way{{0, 0, 20}, {400, 0, 20}};
   const AirWay air = relief.ferry(way, metres_per_second(6), {});
