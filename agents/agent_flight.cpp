@@ -293,19 +293,24 @@ void AgentNode::relicense() {
     follow(sortie_route(aircraft_.estimate_m(), rest, xy_m(home_.position), vehicle_,
                         settings_.ferries));
   }
-  const std::uint32_t licensed = ledger_.licensed_to(order_->next_cell());
-  stop_m_ = no_stop;
-  for (std::size_t i = route_piece_; i < route_->pieces.size(); ++i) {
-    const CellRange cells = route_->pieces[i].piece.cells;
-    const bool ends_here = licensed > cells.first && licensed <= end(cells);
-    if (ends_here && licensed < order_->sortie_end()) {
-      const PieceOnPath& piece = route_->pieces[i];
-      stop_m_ = licensed == end(cells) && piece.has_tail()
-                    ? piece.close_m
-                    : route_->cell_m(i, licensed - 1 - cells.first);
-    }
-  }
+  stop_m_ = licensed_stop_m();
   if (phase_ == Phase::hold) end_hold();
+}
+
+// The last licensed cell before the first that is not.
+double AgentNode::licensed_stop_m() const {
+  double stop_m = no_stop;  // of what lies before
+  for (std::size_t i = route_piece_; i < route_->pieces.size(); ++i) {
+    const PieceOnPath& piece = route_->pieces[i];
+    const CellRange cells = piece.piece.cells;
+    const std::uint32_t first = cells.first + (i == route_piece_ ? route_cell_ : 0);
+    const std::uint32_t licensed = first < end(cells) ? ledger_.licensed_to(first) : first;
+    if (licensed < end(cells)) {
+      return licensed > first ? route_->cell_m(i, licensed - 1 - cells.first) : stop_m;
+    }
+    stop_m = piece.has_tail() ? piece.close_m : route_->cell_m(i, cells.count - 1);
+  }
+  return no_stop;
 }
 
 void AgentNode::flush_flight_log() {

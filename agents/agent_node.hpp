@@ -65,6 +65,7 @@ class AgentNode {
   void fly_home(Instant t);
   void follow(SortieRoute route);
   void relicense();
+  double licensed_stop_m() const;
   void flush_flight_log();
 
   // agent_ground.cpp: orders, stations, take-off.

@@ -14,10 +14,9 @@ FieldPoint cell_center(const Piece& p, std::uint32_t index) {
 
 bool is_finite(FieldPoint p) { return std::isfinite(p.x.base()) && std::isfinite(p.y.base()); }
 
-std::optional<std::string> fault_in(const Piece& p, std::uint32_t not_before) {
+std::optional<std::string> fault_in(const Piece& p) {
   const std::string name = "piece at cell " + std::to_string(p.cells.first);
   if (p.cells.count == 0) return name + " has no cells";
-  if (p.cells.first < not_before) return name + " is out of order";
   if (end(p.cells) < p.cells.first) return name + " counts past the last cell there can be";
   if (!is_finite(p.entry) || !is_finite(p.from) || !is_finite(p.to) || !is_finite(p.exit) ||
       !std::all_of(p.approach.begin(), p.approach.end(), is_finite)) {
@@ -68,28 +67,36 @@ bool Order::spray() {
 }
 
 bool Order::is_open(CellRange cells) const {
-  if (is_finished() || cells.count == 0 || cells.first < next_cell()) return false;
+  if (is_finished() || cells.count == 0) return false;
   for (std::size_t s = sortie_; s < command_.sorties.size(); ++s) {
-    for (const Piece& piece : command_.sorties[s].pieces) {
-      if (cells.first >= piece.cells.first && cells.first < end(piece.cells)) {
-        return cells.count <= end(piece.cells) - cells.first;
-      }
+    const auto& pieces = command_.sorties[s].pieces;
+    for (std::size_t p = s == sortie_ ? piece_ : 0; p < pieces.size(); ++p) {
+      const bool is_current = s == sortie_ && p == piece_;
+      const std::uint32_t first = is_current ? next_cell() : pieces[p].cells.first;
+      const std::uint32_t stop = end(pieces[p].cells);
+      if (cells.first >= first && cells.first < stop) return cells.count <= stop - cells.first;
     }
   }
   return false;
 }
 
 std::optional<std::string> fault_in(const Command& command, std::span<const Station> stations) {
-  std::uint32_t not_before = 0;
+  std::vector<CellRange> ordered;
   for (const SortieOrder& sortie : command.sorties) {
     const bool is_known = std::any_of(stations.begin(), stations.end(),
                                       [&](const Station& s) { return s.id == sortie.station; });
     if (!is_known) return "station " + std::to_string(number(sortie.station)) + " is unknown";
     if (sortie.pieces.empty()) return "a sortie without pieces";
     for (const Piece& piece : sortie.pieces) {
-      if (auto fault = fault_in(piece, not_before)) return fault;
-      not_before = end(piece.cells);
+      if (auto fault = fault_in(piece)) return fault;
+      ordered.push_back(piece.cells);
     }
+  }
+  std::sort(ordered.begin(), ordered.end(),
+            [](CellRange a, CellRange b) { return a.first < b.first; });
+  for (std::size_t i = 1; i < ordered.size(); ++i) {
+    if (ordered[i].first >= end(ordered[i - 1])) continue;
+    return "cell " + std::to_string(ordered[i].first) + " is ordered twice";
   }
   return std::nullopt;
 }

@@ -29,8 +29,6 @@ class Order {
   StationId station() const { return command_.sorties[sortie_].station; }
   /// The cell to spray next. @pre !is_finished()
   std::uint32_t next_cell() const;
-  /// One past the last cell of the sortie. @pre !is_finished()
-  std::uint32_t sortie_end() const { return end(command_.sorties[sortie_].pieces.back().cells); }
 
   /// What is left of the sortie: where a piece was left half-way, the rest of it continues from the
   /// last cell sprayed. @pre !is_finished()
@@ -48,7 +46,8 @@ class Order {
   std::uint32_t in_piece_ = 0;
 };
 
-/// Why a command cannot be followed, or nothing when it can.
+/// Why a command cannot be followed, or nothing when it can. Its cells may come in any order, each
+/// once.
 std::optional<std::string> fault_in(const Command& command, std::span<const Station> stations);
 
 }  // namespace furrow::agents

@@ -269,7 +269,7 @@ TEST_CASE("agent: rejects what cannot be flown, and says why", "[agents]") {
   broken[1].cells.first = 5;
   CHECK(answer(calm, {{strips(2, 10), StationId{1}}}) == "accepted");
   CHECK(answer(calm, {{strips(2, 10), StationId{4}}}) == "station 4 is unknown");
-  CHECK(answer(calm, {{broken, StationId{1}}}) == "piece at cell 5 is out of order");
+  CHECK(answer(calm, {{broken, StationId{1}}}) == "cell 5 is ordered twice");
   // Thrust 3 + 0.25 * 12 = 6 m/s2; half of 3 kept back; 4.5 / 0.25 - 6 = 12 m/s.
   CHECK(answer(settings_of(sprayer(), {.mean = metres_per_second(14), .from_deg = 0, .gust = {}}),
                {{strips(2, 10), StationId{1}}}) ==
