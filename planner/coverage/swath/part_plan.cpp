@@ -31,18 +31,21 @@ double rows_cost_m(const Sweep& rows, const PlanRule& rule) {
          static_cast<double>(rows.chords.size()) * (rule.settings.turn_cost.base() + rule.swath_m);
 }
 
-// Inside rows leave land out; each metre of row that is missing counts twice, so that a direction
-// along the edges wins over one that saves a turn.
-double left_out_cost_m(const LandParts& pieces, double sprayed_m, const PlanRule& rule) {
-  if (rule.settings.edges == EdgeMode::cover_all) return 0;
-  return 2 * std::max(0.0, area_m2(pieces) / rule.swath_m - sprayed_m);
+constexpr double across_edges = 1.01;  // the price of rows along no edge
+
+double missing_cost_m(double missed_m2, const PlanRule& rule) {
+  return 2 * missed_m2 / rule.swath_m;
+}
+
+// Rows that stay inside leave land out at their ends; others, what is dropped.
+double missed_m2(const LandPart& land, double sprayed_m, double dropped_m2, const PlanRule& rule) {
+  if (rule.settings.edges == EdgeMode::cover_all) return dropped_m2;
+  return std::max(0.0, area_m2(land) - sprayed_m * rule.swath_m);
 }
 
 // Rows, turns, how ragged their ends are, and a swath for every second group on a row.
 double coarse_cost_m(const LandPart& piece, RowFrame frame, const PlanRule& rule) {
-  SweepRule coarse = sweep_rule(rule);
-  coarse.min_strip_m = 0;
-  const Sweep rows = sweep(piece, {piece}, frame, coarse);
+  const Sweep rows = sweep(piece, {piece}, frame, sweep_rule(rule));
   std::size_t leaps = 0;
   for (std::size_t i = 1; i < rows.chords.size(); ++i) {
     if (rows.chords[i].row == rows.chords[i - 1].row) ++leaps;
@@ -55,7 +58,8 @@ double coarse_cost_m(const LandPart& piece, RowFrame frame, const PlanRule& rule
   const double chords = static_cast<double>(rows.chords.size());
   double sprayed_m = 0;
   for (const Chord& chord : rows.chords) sprayed_m += chord.length_m();
-  return rows_cost_m(rows, rule) + left_out_cost_m({piece}, sprayed_m, rule) + ends_m / 2 +
+  const double left_out_m2 = missed_m2(piece, sprayed_m, rows.dropped_m2, rule);
+  return rows_cost_m(rows, rule) + missing_cost_m(left_out_m2, rule) + ends_m / 2 +
          std::min<double>(static_cast<double>(leaps), chords) * rule.swath_m;
 }
 
@@ -107,15 +111,6 @@ void add_groups(PartPlan& plan, const LandPart& piece, const LandPart& flight,
   }
 }
 
-void put_in_order(PartPlan& plan, const LandPart& flight, const InsidePaths& paths,
-                  const PlanRule& rule) {
-  plan.order = strip_order(plan.groups, paths, rule.start);
-  double sprayed_m = 0;
-  for (const OrderedStrip& s : plan.order.strips) sprayed_m += norm(s.strip.b - s.strip.a);
-  plan.cost_m = plan.order.route_m + left_out_cost_m({flight}, sprayed_m, rule) +
-                rule.settings.turn_cost.base() * static_cast<double>(plan.order.strips.size());
-}
-
 RowFrame best_in_cell(const LandPart& cell, RowFrame cut_along, const PlanRule& rule) {
   std::vector<RowFrame> tried = edge_directions(cell, most_edges);
   tried.insert(tried.begin(), cut_along);
@@ -132,12 +127,12 @@ RowFrame best_in_cell(const LandPart& cell, RowFrame cut_along, const PlanRule& 
 }
 
 PartPlan plan_cells(const LandParts& cells, const LandPart& flight, const LandParts& land,
-                    const InsidePaths& paths, RowFrame cut_along, const PlanRule& rule,
+                    const InsidePaths& paths, RowDirection cut, const PlanRule& rule,
                     const std::vector<StripGroup>& first) {
-  PartPlan plan{.groups = first, .order = {}};
+  PartPlan plan{.groups = first, .order = {}, .along_edge = cut.along_edge};
   double largest_m2 = 0;
   for (const LandPart& cell : cells) {
-    const RowFrame direction = best_in_cell(cell, cut_along, rule);
+    const RowFrame direction = best_in_cell(cell, cut.frame, rule);
     if (area_m2(cell) > largest_m2) {
       largest_m2 = area_m2(cell);
       plan.direction = direction;
@@ -150,60 +145,79 @@ PartPlan plan_cells(const LandParts& cells, const LandPart& flight, const LandPa
 
 }  // namespace
 
-std::vector<RowFrame> ranked_directions(const LandParts& pieces, const PlanRule& rule,
-                                        std::size_t most) {
-  std::vector<RowFrame> frames;
+void put_in_order(PartPlan& plan, const LandPart& flight, const InsidePaths& paths,
+                  const PlanRule& rule) {
+  plan.order = strip_order(plan.groups, paths, rule.start);
+  double sprayed_m = 0;
+  for (const OrderedStrip& s : plan.order.strips) sprayed_m += norm(s.strip.b - s.strip.a);
+  plan.missed_m2 = missed_m2(flight, sprayed_m, plan.dropped_m2, rule);
+}
+
+double cost_m(const PartPlan& plan, const PlanRule& rule) {
+  const double turns_m =
+      rule.settings.turn_cost.base() * static_cast<double>(plan.order.strips.size());
+  const double flown_m = plan.order.route_m + turns_m + missing_cost_m(plan.missed_m2, rule);
+  return plan.along_edge ? flown_m : across_edges * flown_m;
+}
+
+std::vector<RowDirection> ranked_directions(const LandParts& pieces, const PlanRule& rule,
+                                            std::size_t most) {
+  std::vector<RowDirection> tried;
   for (const LandPart& piece : pieces) {
-    for (const RowFrame frame : edge_directions(piece, most_edges)) frames.push_back(frame);
+    for (const RowFrame frame : edge_directions(piece, most_edges)) tried.push_back({frame, true});
   }
   for (int degree = 0; degree < searched_degrees; ++degree) {
     const double angle = degree * std::numbers::pi / 180;
-    frames.push_back({std::cos(angle), std::sin(angle)});
+    tried.push_back({{std::cos(angle), std::sin(angle)}, false});
   }
-  std::vector<std::pair<double, RowFrame>> ranked;
-  for (const RowFrame frame : frames) {
+  std::vector<std::pair<double, RowDirection>> ranked;
+  for (const RowDirection direction : tried) {
     double cost = 0;
-    for (const LandPart& piece : pieces) cost += coarse_cost_m(piece, frame, rule);
-    ranked.push_back({cost, frame});
+    for (const LandPart& piece : pieces) cost += coarse_cost_m(piece, direction.frame, rule);
+    ranked.push_back({direction.along_edge ? cost : across_edges * cost, direction});
   }
   std::stable_sort(ranked.begin(), ranked.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
-  frames.clear();
+  std::vector<RowDirection> best;
   for (std::size_t i = 0; i < std::min(most, ranked.size()); ++i) {
-    frames.push_back(ranked[i].second);
+    best.push_back(ranked[i].second);
   }
-  return frames;
+  return best;
 }
 
 PartPlan plan_one_direction(const LandPart& piece, const LandPart& flight, const LandParts& land,
-                            const InsidePaths& paths, RowFrame direction, const PlanRule& rule,
+                            const InsidePaths& paths, RowDirection direction, const PlanRule& rule,
                             const std::vector<StripGroup>& first) {
-  PartPlan plan{.groups = first, .order = {}, .direction = direction};
-  add_groups(plan, piece, flight, land, paths.edges(), direction, rule, !first.empty());
+  PartPlan plan{.groups = first,
+                .order = {},
+                .direction = direction.frame,
+                .along_edge = direction.along_edge};
+  add_groups(plan, piece, flight, land, paths.edges(), direction.frame, rule, !first.empty());
   put_in_order(plan, flight, paths, rule);
   return plan;
 }
 
-PartPlan plan_best(const LandPart& piece, const LandPart& flight, const LandParts& land,
-                   const InsidePaths& paths, const PlanRule& rule,
-                   const std::vector<StripGroup>& first) {
-  const std::vector<RowFrame> directions = ranked_directions({piece}, rule, most_planned);
-  PartPlan best;
-  best.cost_m = INFINITY;
-  for (const RowFrame direction : directions) {
-    PartPlan plan = plan_one_direction(piece, flight, land, paths, direction, rule, first);
-    if (plan.cost_m < best.cost_m) best = std::move(plan);
+std::vector<PartPlan> ranked_plans(const LandPart& piece, const LandPart& flight,
+                                   const LandParts& land, const InsidePaths& paths,
+                                   const PlanRule& rule, const std::vector<StripGroup>& first) {
+  std::vector<PartPlan> plans;
+  const std::vector<RowDirection> directions = ranked_directions({piece}, rule, most_planned);
+  for (const RowDirection direction : directions) {
+    plans.push_back(plan_one_direction(piece, flight, land, paths, direction, rule, first));
   }
   const EdgeGrid edges{piece};
-  std::vector<RowFrame> cuts = edge_directions(piece, most_cut);
+  std::vector<RowDirection> cuts;
+  for (const RowFrame along : edge_directions(piece, most_cut)) cuts.push_back({along, true});
   cuts.push_back(directions.front());
-  for (const RowFrame along : cuts) {
-    const LandParts cells = row_cells(piece, edges, along);
+  for (const RowDirection cut : cuts) {
+    const LandParts cells = row_cells(piece, edges, cut.frame);
     if (cells.size() < 2 || cells.size() > most_cells) continue;
-    PartPlan plan = plan_cells(cells, flight, land, paths, along, rule, first);
-    if (plan.cost_m < best.cost_m) best = std::move(plan);
+    plans.push_back(plan_cells(cells, flight, land, paths, cut, rule, first));
   }
-  return best;
+  std::stable_sort(plans.begin(), plans.end(), [&](const PartPlan& a, const PartPlan& b) {
+    return cost_m(a, rule) < cost_m(b, rule);
+  });
+  return plans;
 }
 
 }  // namespace furrow::planner

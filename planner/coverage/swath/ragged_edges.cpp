@@ -16,6 +16,7 @@ constexpr double bend = 0.05;     // swaths by which an edge strip may pass a cu
 constexpr double shortest = 0.1;  // swaths of edge that are worth a strip
 constexpr double shortest_apart = 0.01;  // the same of a missed place
 constexpr double widest_gap = 8.0;       // swaths between missed places that one strip still joins
+constexpr double least_gain = 0.002;     // share of what a round sprays that was missed before
 
 // A side of a ring, or a chord of it that passes over vertices.
 struct Edge {
@@ -174,18 +175,44 @@ std::vector<GroundStrip> strips_beside(const LandPart& flight, const Edge& edge,
   return strips;
 }
 
-LandParts missed_by(const std::vector<GroundStrip>& strips, const LandParts& land) {
-  std::vector<SprayedRun> runs;
-  runs.reserve(strips.size());
-  for (const GroundStrip& s : strips) runs.push_back({{s.a, s.b}, 2 * s.half_width_m});
-  return missed_land(runs, land);
-}
-
 // A strip beside an edge; edges are numbered along their ring.
 struct EdgeStrip {
   std::size_t edge;
   GroundStrip strip;
 };
+
+// Strips at the stretches that miss the most, until `enough_m2` of missed land is dealt with.
+std::vector<EdgeStrip> strips_at(const LandPart& flight, const std::vector<Edge>& edges,
+                                 std::vector<Stretch> stretches, double swath_m, double worth_m,
+                                 double enough_m2) {
+  std::stable_sort(stretches.begin(), stretches.end(),
+                   [](const Stretch& a, const Stretch& b) { return a.missed_m2 > b.missed_m2; });
+  std::vector<EdgeStrip> made;
+  for (const Stretch& stretch : stretches) {
+    if (enough_m2 <= 0) break;
+    for (const GroundStrip& strip :
+         strips_beside(flight, edges[stretch.edge], stretch, swath_m, worth_m)) {
+      made.push_back({stretch.edge, strip});
+    }
+    enough_m2 -= stretch.missed_m2;
+  }
+  return made;
+}
+
+LandParts missed_by(const std::vector<EdgeStrip>& strips, const LandParts& land) {
+  std::vector<SprayedRun> runs;
+  runs.reserve(strips.size());
+  for (const EdgeStrip& s : strips) {
+    runs.push_back({{s.strip.a, s.strip.b}, 2 * s.strip.half_width_m});
+  }
+  return missed_land(runs, land);
+}
+
+double swept_m2(const std::vector<EdgeStrip>& strips) {
+  double sum = 0;
+  for (const EdgeStrip& s : strips) sum += norm(s.strip.b - s.strip.a) * 2 * s.strip.half_width_m;
+  return sum;
+}
 
 // Strips that follow each other along the edge, end to end, become one chain.
 std::vector<StripGroup> chains_of(std::vector<EdgeStrip> strips, double swath_m) {
@@ -203,38 +230,29 @@ std::vector<StripGroup> chains_of(std::vector<EdgeStrip> strips, double swath_m)
 
 }  // namespace
 
-std::vector<StripGroup> edge_strips(const LandPart& flight, const LandParts& land,
-                                    const std::vector<SprayedRun>& sprayed, double swath_m,
-                                    double tolerance, double least_m) {
+EdgeStrips edge_strips(const LandPart& flight, const LandParts& land,
+                       const std::vector<SprayedRun>& sprayed, double swath_m, double tolerance,
+                       double least_m) {
   std::vector<Edge> edges = edges_of(land, bend * swath_m);
   const std::size_t land_edges = edges.size();
   const double allowed_m2 = tolerance * area_m2(land);
   std::vector<EdgeStrip> added;
   LandParts missed = missed_land(sprayed, land);
-  for (int round = 0; round < most_rounds; ++round) {
-    double left_m2 = area_m2(missed);
-    if (left_m2 <= allowed_m2) break;
-    std::vector<Stretch> stretches =
-        stretches_of(missed, edges, land_edges, swath_m, round >= first_apart);
-    std::stable_sort(stretches.begin(), stretches.end(),
-                     [](const Stretch& a, const Stretch& b) { return a.missed_m2 > b.missed_m2; });
-    const double worth_m =
-        std::max(least_m, (round < first_apart ? shortest : shortest_apart) * swath_m);
-    std::vector<GroundStrip> more;
-    for (const Stretch& stretch : stretches) {
-      if (left_m2 <= allowed_m2) break;
-      for (const GroundStrip& strip :
-           strips_beside(flight, edges[stretch.edge], stretch, swath_m, worth_m)) {
-        added.push_back({stretch.edge, strip});
-        more.push_back(strip);
-      }
-      left_m2 -= stretch.missed_m2;
+  for (int round = 0; round < most_rounds && area_m2(missed) > allowed_m2; ++round) {
+    const bool apart = round >= first_apart;
+    const double worth_m = std::max(least_m, (apart ? shortest_apart : shortest) * swath_m);
+    std::vector<Stretch> stretches = stretches_of(missed, edges, land_edges, swath_m, apart);
+    const auto more = strips_at(flight, edges, std::move(stretches), swath_m, worth_m,
+                                area_m2(missed) - allowed_m2);
+    LandParts left = more.empty() ? missed : missed_by(more, missed);
+    if (area_m2(missed) - area_m2(left) <= least_gain * swept_m2(more)) {
+      if (apart) break;
+      continue;
     }
-    if (more.empty() && round >= first_apart) break;
-    if (more.empty()) continue;
-    missed = missed_by(more, missed);
+    added.insert(added.end(), more.begin(), more.end());
+    missed = std::move(left);
   }
-  return chains_of(std::move(added), swath_m);
+  return {chains_of(std::move(added), swath_m), area_m2(missed)};
 }
 
 }  // namespace furrow::planner

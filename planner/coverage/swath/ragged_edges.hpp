@@ -7,6 +7,12 @@
 
 namespace furrow::planner {
 
+/// What edge strips add to rows.
+struct EdgeStrips {
+  std::vector<StripGroup> groups;
+  double missed_m2;  ///< Land that neither rows nor these strips spray.
+};
+
 /// Strips along those edges at which rows leave the most land out, until at most
 /// `tolerance` of the land is missed or no edge strip helps.
 ///
@@ -16,8 +22,8 @@ namespace furrow::planner {
 /// @param flight   Where strips may lie.
 /// @param sprayed  What is sprayed already.
 /// @param least_m  Shorter edge strips are not worth flying.
-std::vector<StripGroup> edge_strips(const LandPart& flight, const LandParts& land,
-                                    const std::vector<SprayedRun>& sprayed, double swath_m,
-                                    double tolerance, double least_m);
+EdgeStrips edge_strips(const LandPart& flight, const LandParts& land,
+                       const std::vector<SprayedRun>& sprayed, double swath_m, double tolerance,
+                       double least_m);
 
 }  // namespace furrow::planner

@@ -1,12 +1,10 @@
 #include "planner/coverage/swath/swath.hpp"
 
 #include "planner/coverage/geos.hpp"
+#include "planner/coverage/swath/finish.hpp"
 #include "planner/coverage/swath/headland.hpp"
 #include "planner/coverage/swath/inset.hpp"
-#include "planner/coverage/swath/joints.hpp"
 #include "planner/coverage/swath/part_plan.hpp"
-#include "planner/coverage/swath/ragged_edges.hpp"
-#include "planner/ferry/bends.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -30,72 +28,58 @@ double heading_of(RowFrame frame) {
   return half_turn;
 }
 
-// Strips that follow each other without a gap are sprayed in one run.
-std::vector<SprayedRun> runs_of(const std::vector<OrderedStrip>& strips) {
-  std::vector<SprayedRun> runs;
-  for (std::size_t i = 0; i < strips.size(); ++i) {
-    const GroundStrip& s = strips[i].strip;
-    const bool continues = i > 0 && norm(s.a - strips[i - 1].strip.b) <= 1e-9 &&
-                           s.half_width_m == strips[i - 1].strip.half_width_m;
-    if (continues) {
-      runs.back().path.push_back(s.b);
-    } else {
-      runs.push_back({{s.a, s.b}, 2 * s.half_width_m});
-    }
-  }
-  return runs;
+// The land that strips in `flight` can reach: where flight keeps off the edges, what lies within
+// half a swath of it.
+LandParts reachable(const LandPart& flight, const FieldLand& field, double swath_m) {
+  const bool drawn_in = area_m2(field.flight) < (1 - 1e-9) * area_m2(field.land);
+  if (!drawn_in) return field.flight.size() == 1 ? field.land : LandParts{flight};
+  return subtracted(field.land, subtracted(field.land, offset({flight}, swath_m / 2)));
 }
 
-PartPlan plan_rows(const LandPart& flight, const FieldLand& field, const InsidePaths& paths,
-                   std::optional<RowFrame> direction, const PlanRule& rule) {
+// Around the part by headland passes, then rows on what is within.
+PartPlan plan_headland(const LandPart& flight, const FieldLand& field, const InsidePaths& paths,
+                       std::optional<RowDirection> direction, const PlanRule& rule) {
   const SwathSettings& s = rule.settings;
-  Headland head{{}, {flight}};
-  if (s.headland_passes > 0) {
-    head = headland(flight, rule.swath_m, rule.margin_m, s.headland_passes, s.headland_turn);
-  }
+  const Headland head =
+      headland(flight, rule.swath_m, rule.margin_m, s.headland_passes, s.headland_turn);
   PartPlan plan{.groups = head.rounds, .order = {}};
   for (const LandPart& inner : head.inner) {
     plan = direction
                ? plan_one_direction(inner, flight, field.land, paths, *direction, rule, plan.groups)
-               : plan_best(inner, flight, field.land, paths, rule, plan.groups);
+               : ranked_plans(inner, flight, field.land, paths, rule, plan.groups).front();
   }
   if (head.inner.empty()) plan.order = strip_order(plan.groups, paths, rule.start);
   return plan;
 }
 
-double missed_m2(const StripOrder& order, const LandParts& land) {
-  return area_m2(missed_land(runs_of(order.strips), land));
-}
-
-// Joins corners; strips are shortened for it only as far as no more than `spare_m2` is missed.
-void join(StripOrder& order, const EdgeGrid& edges, const LandParts& land, double spare_m2) {
-  StripOrder joined = order;
-  const bool shortened = join_corners(joined, edges, Shortening::allowed);
-  if (shortened && missed_m2(joined, land) > std::max(spare_m2, missed_m2(order, land))) {
-    joined = std::move(order);
-    join_corners(joined, edges, Shortening::refused);
+// The plans of one part, cheapest first; what finishing them adds is not counted yet.
+std::vector<PartPlan> plans_of(const LandPart& flight, const FieldLand& field,
+                               const InsidePaths& paths, std::optional<RowDirection> direction,
+                               const PlanRule& rule) {
+  if (rule.settings.headland_passes > 0) {
+    return {plan_headland(flight, field, paths, direction, rule)};
   }
-  order = std::move(joined);
+  if (direction) {
+    return {plan_one_direction(flight, flight, field.land, paths, *direction, rule, {})};
+  }
+  return ranked_plans(flight, flight, field.land, paths, rule, {});
 }
 
-// The plan of one part: rows, then strips along edges that the rows leave ragged.
+// The plan of one part that is cheapest when finished. Finishing only adds, so plans that cost more
+// before it are out.
 PartPlan plan_part(const LandPart& flight, const FieldLand& field,
-                   std::optional<RowFrame> direction, const PlanRule& rule) {
+                   std::optional<RowDirection> direction, const PlanRule& rule) {
   const InsidePaths paths{flight};
-  PartPlan plan = plan_rows(flight, field, paths, direction, rule);
-  const LandParts here = field.flight.size() == 1 ? field.land : LandParts{flight};
-  const SwathSettings& s = rule.settings;
-  if (s.edges == EdgeMode::cover_all) {  // elsewhere a turn with the valve open reaches outside
-    const auto more = edge_strips(flight, here, runs_of(plan.order.strips), rule.swath_m,
-                                  s.miss_tolerance, s.min_strip.base());
-    plan.groups.insert(plan.groups.end(), more.begin(), more.end());
-    if (!more.empty()) plan.order = strip_order(plan.groups, paths, rule.start);
-    join(plan.order, paths.edges(), here, s.miss_tolerance * area_m2(here));
+  const LandParts here = rule.settings.edges == EdgeMode::cover_all
+                             ? reachable(flight, field, rule.swath_m)
+                             : field.land;
+  std::optional<PartPlan> best;
+  for (PartPlan& plan : plans_of(flight, field, paths, direction, rule)) {
+    if (best && cost_m(plan, rule) >= cost_m(*best, rule)) break;
+    finish(plan, flight, here, paths, rule);
+    if (!best || cost_m(plan, rule) < cost_m(*best, rule)) best = std::move(plan);
   }
-  for (OrderedStrip& strip : plan.order.strips) {
-    strip.approach = clear_of_corners(strip.approach, paths.edges(), rule.swath_m / 2);
-  }
-  return plan;
+  return std::move(*best);
 }
 
 struct Laid {
@@ -164,7 +148,7 @@ std::size_t take_nearest(std::vector<std::size_t>& left, const LandParts& parts,
   return found;
 }
 
-Laid lay_parts(const FieldLand& field, std::optional<RowFrame> direction, PlanRule rule) {
+Laid lay_parts(const FieldLand& field, std::optional<RowDirection> direction, PlanRule rule) {
   Laid laid;
   std::vector<std::size_t> left;
   for (std::size_t i = 0; i < field.flight.size(); ++i) left.push_back(i);
@@ -216,9 +200,9 @@ Expected<SwathCoverage, PlanError> swath_coverage(const Field& field, Length swa
 
   PlanRule rule{swath.base(), (margin - kept).base(), settings, std::nullopt};
   if (settings.near) rule.start = plane_point(*settings.near, land->origin);
-  std::optional<RowFrame> direction;
+  std::optional<RowDirection> direction;
   if (settings.direction_deg) {
-    direction = frame_of_heading(*settings.direction_deg);
+    direction = RowDirection{frame_of_heading(*settings.direction_deg), true};
   } else if (!settings.cells_may_differ) {
     direction = ranked_directions(land->flight, rule, 1).front();
   }

@@ -1,0 +1,65 @@
+#include "planner/coverage/swath/finish.hpp"
+
+#include "planner/coverage/geos.hpp"
+#include "planner/coverage/swath/joints.hpp"
+#include "planner/coverage/swath/ragged_edges.hpp"
+#include "planner/ferry/bends.hpp"
+
+#include <algorithm>
+
+namespace furrow::planner {
+namespace {
+
+double missed_m2(const StripOrder& order, const LandParts& land) {
+  return area_m2(missed_land(runs_of(order.strips), land));
+}
+
+// Joins corners; strips are shortened for it only as far as no more than `spare_m2` is missed.
+void join(StripOrder& order, const EdgeGrid& edges, const LandParts& land, double spare_m2) {
+  StripOrder joined = order;
+  const bool shortened = join_corners(joined, edges, Shortening::allowed);
+  if (shortened && missed_m2(joined, land) > std::max(spare_m2, missed_m2(order, land))) {
+    joined = std::move(order);
+    join_corners(joined, edges, Shortening::refused);
+  }
+  order = std::move(joined);
+}
+
+void cover_edges(PartPlan& plan, const LandPart& flight, const LandParts& land,
+                 const InsidePaths& paths, const PlanRule& rule) {
+  const SwathSettings& s = rule.settings;
+  const EdgeStrips more = edge_strips(flight, land, runs_of(plan.order.strips), rule.swath_m,
+                                      s.miss_tolerance, s.min_strip.base());
+  plan.groups.insert(plan.groups.end(), more.groups.begin(), more.groups.end());
+  if (!more.groups.empty()) put_in_order(plan, flight, paths, rule);
+  plan.missed_m2 = more.missed_m2;
+  join(plan.order, paths.edges(), land, s.miss_tolerance * area_m2(land));
+}
+
+}  // namespace
+
+std::vector<SprayedRun> runs_of(const std::vector<OrderedStrip>& strips) {
+  std::vector<SprayedRun> runs;
+  for (std::size_t i = 0; i < strips.size(); ++i) {
+    const GroundStrip& s = strips[i].strip;
+    const bool continues = i > 0 && norm(s.a - strips[i - 1].strip.b) <= 1e-9 &&
+                           s.half_width_m == strips[i - 1].strip.half_width_m;
+    if (continues) {
+      runs.back().path.push_back(s.b);
+    } else {
+      runs.push_back({{s.a, s.b}, 2 * s.half_width_m});
+    }
+  }
+  return runs;
+}
+
+void finish(PartPlan& plan, const LandPart& flight, const LandParts& land, const InsidePaths& paths,
+            const PlanRule& rule) {
+  // In `stay_inside` a turn with the valve open would reach outside.
+  if (rule.settings.edges == EdgeMode::cover_all) cover_edges(plan, flight, land, paths, rule);
+  for (OrderedStrip& strip : plan.order.strips) {
+    strip.approach = clear_of_corners(strip.approach, paths.edges(), rule.swath_m / 2);
+  }
+}
+
+}  // namespace furrow::planner
