@@ -48,6 +48,14 @@ double reach_m(const LandPart& part, PointM at, PointM way) {
   return best;
 }
 
+// Whether a face between cuts and edges is land. The place inside a face without width may be a
+// vertex; then areas tell.
+bool is_land(const LandPart& face, const LandPart& part, const EdgeGrid& edges) {
+  const PointM place = inner_place(face);
+  if (!edges.edge_at(place)) return edges.contains(place);
+  return area_m2(subtracted({face}, {part})) < area_m2(face) / 2;
+}
+
 }  // namespace
 
 LandParts row_cells(const LandPart& part, const EdgeGrid& edges, RowFrame frame) {
@@ -70,7 +78,7 @@ LandParts row_cells(const LandPart& part, const EdgeGrid& edges, RowFrame frame)
   for (const RingM& hole : part.holes) add_ring(hole);
   LandParts cells;
   for (LandPart& face : faces(lines)) {
-    if (edges.contains(inner_place(face))) cells.push_back(std::move(face));
+    if (is_land(face, part, edges)) cells.push_back(std::move(face));
   }
   return cells;
 }
