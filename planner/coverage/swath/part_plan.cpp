@@ -202,6 +202,7 @@ std::vector<PartPlan> ranked_plans(const LandPart& piece, const LandPart& flight
                                    const PlanRule& rule, const std::vector<StripGroup>& first) {
   std::vector<PartPlan> plans;
   const std::vector<RowDirection> directions = ranked_directions({piece}, rule, most_planned);
+  plans.reserve(directions.size());
   for (const RowDirection direction : directions) {
     plans.push_back(plan_one_direction(piece, flight, land, paths, direction, rule, first));
   }
