@@ -46,12 +46,23 @@ std::optional<Fault> read(const LandFile& file, Polygons& found) {
                fmt::format("\"{}\"", shown(bytes.substr(0, 12)))};
 }
 
-Fault no_such_feature(const Polygons& found, std::size_t wanted) {
+// "3 polygons: 0 north field, 1 south field, 2 nameless".
+std::string choices(const Polygons& found) {
+  std::string all =
+      found.count() == 1 ? "one polygon:" : fmt::format("{} polygons:", found.count());
+  for (std::size_t i = 0; i < found.names().size(); ++i) {
+    const std::string name = shown(found.names()[i]);
+    all += fmt::format("{} {} {}", i > 0 ? "," : "", i, name.empty() ? "nameless" : name);
+  }
+  return found.count() > found.names().size() ? all + ", ..." : all;
+}
+
+Fault no_such_feature(const Polygons& found, std::optional<std::size_t> wanted) {
   if (found.count() > 0) {
-    return {
-        fmt::format("feature must be 0 to {}, as the file has {}", found.count() - 1,
-                    found.count() == 1 ? "one polygon" : fmt::format("{} polygons", found.count())),
-        std::to_string(wanted)};
+    return {wanted ? fmt::format("feature must be 0 to {}, as the file has {}", found.count() - 1,
+                                 choices(found))
+                   : fmt::format("feature must choose one of {}", choices(found)),
+            wanted ? std::to_string(*wanted) : "no feature"};
   }
   return {"must hold a polygon",
           found.others() == 0 ? "no geometry"
@@ -60,13 +71,14 @@ Fault no_such_feature(const Polygons& found, std::size_t wanted) {
 
 }  // namespace
 
-Expected<Land, LandError> read_land(const LandFile& file, std::size_t feature) {
+Expected<Land, LandError> read_land(const LandFile& file, std::optional<std::size_t> feature) {
   const auto error = [&](const Fault& fault) {
     return Unexpected{LandError{file.path, fault.rule, fault.value}};
   };
-  Polygons found{feature};
+  Polygons found{feature.value_or(0)};
   if (auto fault = read(file, found)) return error(*fault);
-  if (!found.chosen()) return error(no_such_feature(found, feature));
+  const bool is_open = !feature && found.count() > 1;
+  if (!found.chosen() || is_open) return error(no_such_feature(found, feature));
   auto land = outline(*found.chosen());
   if (!land) return error(land.error());
   land->features = found.count();
@@ -74,7 +86,7 @@ Expected<Land, LandError> read_land(const LandFile& file, std::size_t feature) {
   return std::move(*land);
 }
 
-Expected<Land, LandError> read_land(const std::string& path, std::size_t feature) {
+Expected<Land, LandError> read_land(const std::string& path, std::optional<std::size_t> feature) {
   auto file = land_file(path);
   if (!file) return Unexpected{file.error()};
   return read_land(*file, feature);

@@ -22,7 +22,8 @@ struct Land {
   std::size_t features;             ///< Polygons in the file.
 };
 
-/// Reads polygon number `feature`, from 0, of a land file of at most 64 MiB.
+/// Reads polygon number `feature`, from 0, of a land file of at most 64 MiB; left out, the file
+/// must hold one only.
 ///
 /// Formats, told by content: GeoJSON, KML, WKT (also EWKT, several in a row), GML (also inside a
 /// GAOS parcel), shapefile (with its siblings), GeoPackage, ISOXML v3 and v4. Every part of a
@@ -30,12 +31,16 @@ struct Land {
 /// kept, heights dropped. Of ISOXML part fields, boundaries (PLN type 1) count as features; water,
 /// buildings, roads and obstacles (types 3 to 6) are cut out of them; other zones are ignored.
 ///
-/// Any CRS that PROJ knows. Without one, coordinates must be WGS84 longitude and latitude in
-/// degrees: a field in bare metres has no place on the globe and is refused.
+/// Any CRS that PROJ can bring to WGS84. A shapefile without its .prj, a GML file without a srsName
+/// and a local CRS are refused: nobody knows where such land lies. WKT without a SRID is WGS84
+/// longitude and latitude, as GeoJSON is. Of GML, the URN and URL forms of a CRS ("urn:ogc:def:crs:
+/// EPSG::4326") have the axes of the authority, latitude first; "EPSG:4326" has longitude first, as
+/// have all other formats.
 ///
 /// @return the field, or why the file is none; never throws, prints, or reads from a network.
-Expected<Land, LandError> read_land(const std::string& path, std::size_t feature);
-Expected<Land, LandError> read_land(const LandFile& file, std::size_t feature);
+Expected<Land, LandError> read_land(const std::string& path,
+                                    std::optional<std::size_t> feature = {});
+Expected<Land, LandError> read_land(const LandFile& file, std::optional<std::size_t> feature = {});
 
 /// Reads obstacles from a GeoJSON file of points, each with its `radius_m` (> 0), and polygons,
 /// whose holes do not matter, each perhaps with an `id` or a `name`, into the field frame.

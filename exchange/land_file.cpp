@@ -36,13 +36,15 @@ std::optional<std::string> contents(const fs::path& path, std::uintmax_t most) {
   return bytes;
 }
 
-// A part of a shapefile, or an external file of an ISOXML task: the name under which it is kept.
+// A part of a shapefile, the CRS of a shapefile or a grid of heights, or an external file of an
+// ISOXML task: the name under which it is kept.
 std::optional<std::string> companion_name(const fs::path& main, const fs::path& other,
                                           bool has_references) {
   const std::string name = other.filename().string();
   const std::string extension = lower(other.extension().string());
+  if (other.stem() == main.stem() && extension == ".prj") return "prj";
   const bool is_shapefile = lower(main.extension().string()) == ".shp";
-  for (const std::string_view part : {".shx", ".dbf", ".prj", ".cpg"}) {
+  for (const std::string_view part : {".shx", ".dbf", ".cpg"}) {
     if (is_shapefile && other.stem() == main.stem() && extension == part)
       return extension.substr(1);
   }

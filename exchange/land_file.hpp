@@ -21,7 +21,8 @@ std::string text(const LandError& error);
 struct LandFile {
   std::string path;  ///< As in the errors.
   std::string bytes;
-  /// Contents by name: "dbf", "prj", ... of a shapefile, "PFD00001.XML", ... of an ISOXML task.
+  /// Contents by name: "dbf", ... of a shapefile, "prj" also of a grid of heights, "PFD00001.XML",
+  /// ... of an ISOXML task.
   std::map<std::string, std::string> companions = {};
 };
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <vector>
 
 namespace furrow::exchange {
@@ -18,9 +19,22 @@ using Rings = std::vector<GeoRing>;  // the boundary first
 constexpr double widest_deg = 2;  // of latitude, 220 km; more is no field, and no plane frame
 constexpr double widest_m = 100'000;
 
-Fault not_degrees(GeoPoint p) {
-  return {"coordinates must be degrees on the globe, or have a CRS",
-          fmt::format("{}, {}", p.lon_deg, p.lat_deg)};
+// "WGS 84 (EPSG:4326), longitude first".
+std::string described(const OGRSpatialReference* crs) {
+  if (!crs) return "WGS84 without a CRS stated, longitude first";
+  const char* const name = crs->GetName();
+  const char* const code = crs->GetAuthorityCode(nullptr);
+  std::string text = shown(name ? name : "a nameless CRS");
+  if (code) text += fmt::format(" ({}:{})", crs->GetAuthorityName(nullptr), code);
+  if (!crs->IsGeographic()) return text;
+  const bool is_longitude_first = crs->GetDataAxisToSRSAxisMapping() == std::vector{2, 1};
+  return text + (is_longitude_first ? ", longitude first" : ", latitude first");
+}
+
+Fault off_the_globe(double first, double second, const OGRSpatialReference* crs) {
+  return {crs ? "coordinates must come to a place on the globe by their CRS"
+              : "coordinates must be degrees on the globe, or have a CRS",
+          fmt::format("{}, {} in {}", first, second, described(crs))};
 }
 
 Rings rings_of(const OGRPolygon& polygon) {
@@ -36,18 +50,27 @@ Rings rings_of(const OGRPolygon& polygon) {
 
 bool is_on_globe(GeoPoint p) { return std::abs(p.lon_deg) <= 540 && std::abs(p.lat_deg) <= 90; }
 
+// A plane or globe of nobody's: a local grid, or the undefined CRS of a GeoPackage.
+bool is_nowhere(const OGRSpatialReference& crs) {
+  const char* const name = crs.GetName();
+  return crs.IsLocal() || crs.IsGeocentric() ||
+         (name && std::string_view{name}.starts_with("Undefined"));
+}
+
 std::optional<Fault> bring_to_wgs84(Rings& rings, const OGRSpatialReference& crs) {
   const OGRSpatialReference globe = wgs84();
   const std::unique_ptr<OGRCoordinateTransformation> transform{
-      OGRCreateCoordinateTransformation(&crs, &globe)};
-  const char* name = crs.GetName();
-  const Fault fault{"CRS must be one that can be brought to WGS84",
-                    shown(name ? name : "nameless")};
-  if (!transform) return fault;
+      is_nowhere(crs) ? nullptr : OGRCreateCoordinateTransformation(&crs, &globe)};
+  if (!transform) {
+    return Fault{"CRS must be one that can be brought to WGS84", described(&crs)};
+  }
   for (GeoRing& ring : rings) {
     for (GeoPoint& p : ring) {
-      if (!std::isfinite(p.lon_deg) || !std::isfinite(p.lat_deg)) return not_degrees(p);
-      if (!transform->Transform(1, &p.lon_deg, &p.lat_deg)) return fault;
+      GeoPoint on = p;
+      const bool is_finite = std::isfinite(p.lon_deg) && std::isfinite(p.lat_deg);
+      const bool is_there = is_finite && transform->Transform(1, &on.lon_deg, &on.lat_deg);
+      if (!is_there || !is_on_globe(on)) return off_the_globe(p.lon_deg, p.lat_deg, &crs);
+      p = on;
     }
   }
   return std::nullopt;
@@ -61,20 +84,22 @@ void unroll(Rings& rings) {
   }
 }
 
-std::optional<Fault> extent_fault(const GeoRing& boundary) {
+std::optional<Fault> extent_fault(const GeoRing& boundary, const OGRSpatialReference* crs) {
   const auto [south, north] = std::minmax_element(
       boundary.begin(), boundary.end(), [](auto a, auto b) { return a.lat_deg < b.lat_deg; });
   const auto [west, east] = std::minmax_element(
       boundary.begin(), boundary.end(), [](auto a, auto b) { return a.lon_deg < b.lon_deg; });
   if (std::max(std::abs(south->lat_deg), std::abs(north->lat_deg)) > 85) {
-    return Fault{"must lie within 85 degrees of the equator",
-                 fmt::format("{} to {} degrees", south->lat_deg, north->lat_deg)};
+    return Fault{
+        "must lie within 85 degrees of the equator",
+        fmt::format("{} to {} degrees in {}", south->lat_deg, north->lat_deg, described(crs))};
   }
   const double width_deg = (east->lon_deg - west->lon_deg) * std::cos(south->lat_deg * M_PI / 180);
   if (std::max(width_deg, north->lat_deg - south->lat_deg) > widest_deg) {
-    return Fault{"must be at most 200 km wide",
-                 fmt::format("{:.3g} x {:.3g} degrees; bare metres need a CRS",
-                             east->lon_deg - west->lon_deg, north->lat_deg - south->lat_deg)};
+    return Fault{
+        crs ? "must be at most 200 km wide" : "must be at most 200 km wide; bare metres need a CRS",
+        fmt::format("{:.3g} x {:.3g} degrees in {}", east->lon_deg - west->lon_deg,
+                    north->lat_deg - south->lat_deg, described(crs))};
   }
   return std::nullopt;
 }
@@ -110,7 +135,7 @@ Ring ring_in(const LocalFrame& frame, const GeoRing& source) {
   return ring;
 }
 
-std::optional<Fault> content_fault(const Rings& rings) {
+std::optional<Fault> content_fault(const Rings& rings, const OGRSpatialReference* crs) {
   if (rings.empty() || rings.front().empty()) return Fault{"boundary must have vertices", "none"};
   std::size_t vertices = 0;
   for (const GeoRing& ring : rings) vertices += ring.size();
@@ -120,7 +145,7 @@ std::optional<Fault> content_fault(const Rings& rings) {
   }
   for (const GeoRing& ring : rings) {
     const auto off = std::find_if_not(ring.begin(), ring.end(), is_on_globe);
-    if (off != ring.end()) return not_degrees(*off);
+    if (off != ring.end()) return off_the_globe(off->lon_deg, off->lat_deg, crs);
   }
   return std::nullopt;
 }
@@ -161,9 +186,9 @@ Expected<Land, Fault> outline(const FoundPolygon& found) {
   if (found.crs && !rings.empty()) {
     if (auto fault = bring_to_wgs84(rings, *found.crs)) return Unexpected{*fault};
   }
-  if (auto fault = content_fault(rings)) return Unexpected{*fault};
+  if (auto fault = content_fault(rings, found.crs.get())) return Unexpected{*fault};
   unroll(rings);
-  if (auto fault = extent_fault(rings.front())) return Unexpected{*fault};
+  if (auto fault = extent_fault(rings.front(), found.crs.get())) return Unexpected{*fault};
   const auto datum = centroid(rings.front());
   if (!datum) return Unexpected{Fault{"boundary must enclose an area", "none"}};
   if (std::abs(datum->lat_deg) > 85) {

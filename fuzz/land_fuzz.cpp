@@ -1,5 +1,6 @@
 // Every land reader: the format is told by the bytes, so each has a corpus of its own. Behind
-// the mark stands the table of a shapefile, or the external file of an ISOXML task.
+// the mark stands the table of a shapefile, or the external file of an ISOXML task. A shapefile has
+// degrees as its CRS.
 #include "exchange/land.hpp"
 
 #include "core/require.hpp"
@@ -14,14 +15,18 @@ namespace {
 using namespace furrow;
 using namespace furrow::exchange;
 
+constexpr const char* degrees =
+    R"(GEOGCS["WGS 84",DATUM["WGS_1984",SPHEROID["WGS 84",6378137,298.257223563]],)"
+    R"(PRIMEM["Greenwich",0],UNIT["degree",0.0174532925199433]])";
 constexpr std::string_view mark = "\n--companion--\n";
 
 LandFile file_of(std::string_view bytes) {
   const auto at = bytes.find(mark);
-  LandFile file{.path = "fuzz", .bytes = std::string{bytes.substr(0, at)}};
+  LandFile file{
+      .path = "fuzz", .bytes = std::string{bytes.substr(0, at)}, .companions = {{"prj", degrees}}};
   if (at != std::string_view::npos) {
     const std::string rest{bytes.substr(at + mark.size())};
-    file.companions = {{"dbf", rest}};
+    file.companions["dbf"] = rest;
     if (file.bytes.find("<XFR") != std::string::npos) file.companions = {{"PFD00001.XML", rest}};
   }
   return file;

@@ -126,15 +126,22 @@ std::optional<double> Section::optional_number(std::string_view key, Range range
 
 std::uint64_t Section::whole(std::string_view key, std::uint64_t low, std::uint64_t high,
                              std::optional<std::uint64_t> otherwise) const {
+  const auto value = optional_whole(
+      key, low, high, otherwise ? fmt::format("{}", *otherwise) : std::string{required});
+  return value.value_or(otherwise.value_or(low));
+}
+
+std::optional<std::uint64_t> Section::optional_whole(std::string_view key, std::uint64_t low,
+                                                     std::uint64_t high,
+                                                     const std::string& otherwise) const {
   const auto rule = low == high ? fmt::format("must be {}", low)
                                 : fmt::format("must be a whole number from {} to {}", low, high);
-  const Found found =
-      take(key, rule, otherwise ? fmt::format("{}", *otherwise) : std::string{required});
-  if (!found.value) return otherwise.value_or(low);
+  const Found found = take(key, rule, otherwise);
+  if (!found.value) return {};
   const auto value = parsed<std::uint64_t>(*found.value);
-  if (value && *value >= low && *value <= high) return *value;
+  if (value && *value >= low && *value <= high) return value;
   broken(found, rule);
-  return otherwise.value_or(low);
+  return {};
 }
 
 bool Section::flag(std::string_view key, bool otherwise) const {

@@ -38,6 +38,9 @@ class Section {
                                         const std::string& otherwise) const;
   std::uint64_t whole(std::string_view key, std::uint64_t low, std::uint64_t high,
                       std::optional<std::uint64_t> otherwise = {}) const;
+  std::optional<std::uint64_t> optional_whole(std::string_view key, std::uint64_t low,
+                                              std::uint64_t high,
+                                              const std::string& otherwise) const;
   bool flag(std::string_view key, bool otherwise) const;
   std::optional<bool> optional_flag(std::string_view key, const std::string& otherwise) const;
   /// A word fit for file names.

@@ -99,7 +99,8 @@ std::string beside(const Section& s, const std::string& path) {
   return (std::filesystem::path{s.findings().file()}.parent_path() / path).string();
 }
 
-void read_land(const Section& s, const std::string& file, std::size_t feature, Scenario& out) {
+void read_land(const Section& s, const std::string& file, std::optional<std::size_t> feature,
+               Scenario& out) {
   const std::string rule = "must be left out where file is given";
   for (const char* key : {"boundary_m", "holes_m", "datum"}) s.refuse(key, rule);
   auto land = exchange::read_land(beside(s, file), feature);
@@ -113,7 +114,7 @@ void read_land(const Section& s, const std::string& file, std::size_t feature, S
 
 void read_outline(const Section& s, Scenario& out) {
   const auto file = s.optional_text("file", "boundary_m");
-  const auto feature = s.whole("feature", 0, 1'000'000, 0);
+  const auto feature = s.optional_whole("feature", 0, 1'000'000, "the only polygon");
   if (file) return read_land(s, *file, feature, out);
   if (s.has("feature")) s.fail("feature", "must be left out where no file is given");
   out.field.boundary = s.ring("boundary_m");

@@ -134,6 +134,7 @@ std::optional<Fault> read_part_fields(const CPLXMLNode* parent, Polygons& found)
 std::optional<Fault> read_isoxml(const CPLXMLNode* root, const LandFile& file, Polygons& found) {
   if (auto fault = read_part_fields(root, found)) return fault;
   for (const auto& [name, bytes] : file.companions) {
+    if (name == "prj") continue;  // of whatever lies beside: ISOXML is WGS84
     const XmlTree tree = xml_tree(bytes);
     const CPLXMLNode* part = furrow::exchange::root(tree.get());
     if (!part || !is_element(part, "XFC")) {

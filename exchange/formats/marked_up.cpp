@@ -98,13 +98,11 @@ void take(const CPLXMLNode* node, const Context& context, MarkedUp& document) {
   if (srs_name.empty()) srs_name = first_srs_name(node, 0);
   if (srs_name.empty()) srs_name = document.file_srs_name;
   Tag tag{.name = context.name, .stated_area = context.stated_area};
-  if (document.is_kml || srs_name.empty()) {
-    const OGRSpatialReference crs = wgs84();
-    tag.crs = document.is_kml ? &crs : nullptr;
-    document.found.add(*geometry, tag);
+  if (!document.is_kml && srs_name.empty()) {
+    document.fault = Fault{"must say its CRS in a srsName", "none"};
     return;
   }
-  auto crs = crs_of(srs_name);
+  auto crs = document.is_kml ? Expected<OGRSpatialReference, Fault>{wgs84()} : crs_of(srs_name);
   if (!crs) {
     document.fault = crs.error();
     return;

@@ -65,6 +65,8 @@ void Polygons::add(const OGRGeometry& geometry, const Tag& tag) {
 }
 
 void Polygons::take(const OGRPolygon& polygon, const Tag& tag) {
+  constexpr std::size_t most_names = 20;
+  if (names_.size() < most_names) names_.push_back(tag.name);
   if (count_++ != wanted_) return;
   chosen_ = FoundPolygon{.polygon = std::make_unique<OGRPolygon>(polygon),
                          .crs = tag.crs ? std::make_unique<OGRSpatialReference>(*tag.crs) : nullptr,

@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace furrow::exchange {
 
@@ -44,12 +45,15 @@ class Polygons {
 
   std::size_t count() const { return count_; }
   std::size_t others() const { return others_; }  ///< Geometries that held no polygon.
+  /// Of the first polygons in order, empty where they have none.
+  const std::vector<std::string>& names() const { return names_; }
   FoundPolygon* chosen() { return chosen_ ? &*chosen_ : nullptr; }
 
  private:
   void take(const OGRPolygon& polygon, const Tag& tag);
 
   std::size_t wanted_, count_ = 0, others_ = 0;
+  std::vector<std::string> names_;
   std::optional<FoundPolygon> chosen_;
 };
 

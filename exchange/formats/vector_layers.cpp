@@ -4,6 +4,7 @@
 
 #include <cpl_vsi.h>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <cstdint>
 #include <string_view>
@@ -61,6 +62,38 @@ bool has_sound_records(std::string_view bytes) {
   return at == end && end <= bytes.size();
 }
 
+Fault no_crs(Driver driver) {
+  switch (driver) {
+    case Driver::geojson:
+      return {"crs must be one that PROJ knows, or left out for WGS84", "another"};
+    case Driver::shapefile: return {"must have its CRS in a .prj file beside it", "none"};
+    case Driver::geopackage: return {"must say its CRS", "none"};
+  }
+  return {};
+}
+
+// GDAL takes a CRS of GeoJSON that it does not know for WGS84: what is wrong with that of the file.
+std::optional<Fault> geojson_crs_fault(const std::string& bytes) {
+  using Json = nlohmann::json;
+  if (bytes.find("\"crs\"") == std::string::npos) return std::nullopt;
+  bool is_crs = false;
+  const auto only_crs = [&](int depth, Json::parse_event_t event, Json& parsed) {
+    if (depth == 1 && event == Json::parse_event_t::key) is_crs = parsed == "crs";
+    return depth == 0 || is_crs;
+  };
+  const Json top = Json::parse(bytes, only_crs, false);
+  if (!top.is_object() || !top.contains("crs")) return std::nullopt;
+  const std::string rule = "crs must be one that PROJ knows, or left out for WGS84";
+  if (top["crs"].is_null()) return Fault{rule, "null"};
+  const auto pointer = Json::json_pointer{"/crs/properties/name"};
+  if (!top.contains(pointer) || !top[pointer].is_string()) return Fault{rule, "no name"};
+  const std::string name = top[pointer];
+  OGRSpatialReference crs;
+  const auto fault = crs.SetFromUserInput(
+      name.c_str(), OGRSpatialReference::SET_FROM_USER_INPUT_LIMITATIONS_get());
+  return fault == OGRERR_NONE ? std::nullopt : std::optional{Fault{rule, shown(name)}};
+}
+
 }  // namespace
 
 OpenLayers::OpenLayers(const LandFile& file, Driver driver) {
@@ -92,6 +125,9 @@ void OpenLayers::lay_out(const std::string& path, const std::string& bytes) {
 
 std::optional<Fault> read_vector_layers(const LandFile& file, Driver driver, Polygons& found) {
   const GdalScope gdal;
+  if (driver == Driver::geojson) {
+    if (auto fault = geojson_crs_fault(file.bytes)) return fault;
+  }
   const OpenLayers open{file, driver};
   if (!open.dataset()) {
     return Fault{fmt::format("must be a sound {} file", names(driver).of_driver),
@@ -101,6 +137,7 @@ std::optional<Fault> read_vector_layers(const LandFile& file, Driver driver, Pol
     const OGRSpatialReference* crs = layer->GetSpatialRef();
     for (const auto& feature : *layer) {
       if (!feature->GetGeometryRef()) continue;
+      if (!crs || crs->IsEmpty()) return no_crs(driver);
       found.add(*feature->GetGeometryRef(), tag(*feature, crs));
     }
   }

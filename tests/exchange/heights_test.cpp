@@ -57,6 +57,20 @@ TEST_CASE("A grid in degrees is brought into the field frame") {
   }
 }
 
+TEST_CASE("The .prj beside a grid is its CRS") {
+  const auto folder = std::filesystem::temp_directory_path() / "furrow_heights_test";
+  std::filesystem::create_directories(folder);
+  // Squares of 0.001 degrees: in the field frame they are about 100 m wide, and 0.001 m without it.
+  std::ofstream{folder / "hill.asc"} << "ncols 2\nnrows 2\nxllcorner 113.999\nyllcorner 29.999\n"
+                                        "cellsize 0.001\n0 1\n0 1\n";
+  std::ofstream{folder / "hill.prj"}
+      << R"(GEOGCS["WGS 84",DATUM["WGS_1984",SPHEROID["WGS 84",6378137,298.257223563]],PRIMEM["Greenwich",0],UNIT["degree",0.0174532925199433]])";
+  const auto raster = read_heights((folder / "hill.asc").string(), LocalFrame{datum});
+  std::filesystem::remove_all(folder);
+  REQUIRE(raster);
+  CHECK(raster->step.base() == Approx(96.486).margin(0.01));
+}
+
 TEST_CASE("A GeoTIFF gives the heights that were written") {
   read({"hill.asc", grid_text});  // registers the drivers
   const std::string name = "/vsimem/written.tif";

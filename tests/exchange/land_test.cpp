@@ -3,6 +3,7 @@
 #include "tests/exchange/ground.hpp"
 
 #include <catch2/catch.hpp>
+#include <fmt/format.h>
 
 #include <filesystem>
 #include <limits>
@@ -23,12 +24,18 @@ Land land(const std::string& file, std::size_t feature) {
   return *read;
 }
 
-std::string refusal(const std::string& file, std::size_t feature = 0) {
+std::string refusal(const std::string& file, std::optional<std::size_t> feature = 0) {
   const auto read = read_land(folder + file, feature);
   REQUIRE(!read);
   const std::string message = text(read.error());
   REQUIRE(message.find('\n') == std::string::npos);
   return message.substr(folder.size());
+}
+
+std::string refusal_of(std::string bytes) {
+  const auto read = read_land(LandFile{.path = "a", .bytes = std::move(bytes)});
+  REQUIRE(!read);
+  return text(read.error());
 }
 
 TEST_CASE("A KML file gives its polygons in order, with holes, without heights") {
@@ -45,11 +52,20 @@ TEST_CASE("A KML file gives its polygons in order, with holes, without heights")
 }
 
 TEST_CASE("A polygon that the file does not have is refused with the number that it has") {
-  REQUIRE(refusal("two_fields.kml", 3) ==
-          "two_fields.kml: feature must be 0 to 2, as the file has 3 polygons (got 3)");
+  REQUIRE(
+      refusal("two_fields.kml", 3) ==
+      "two_fields.kml: feature must be 0 to 2, as the file has 3 polygons: 0 pond field, 1 twins, "
+      "2 twins (got 3)");
   REQUIRE(refusal("across_equator_and_null_meridian.wkt", 1) ==
           "across_equator_and_null_meridian.wkt: feature must be 0 to 0, as the file has one "
-          "polygon (got 1)");
+          "polygon: 0 nameless (got 1)");
+}
+
+TEST_CASE("A file of several polygons is read only when one of them is chosen") {
+  CHECK(refusal("two_fields.kml", std::nullopt) ==
+        "two_fields.kml: feature must choose one of 3 polygons: 0 pond field, 1 twins, 2 twins "
+        "(got no feature)");
+  CHECK(read_land(folder + "across_equator_and_null_meridian.wkt"));  // it has one only
 }
 
 TEST_CASE("A field across the equator and the null meridian is one piece") {
@@ -92,6 +108,46 @@ TEST_CASE("GML axes follow the form of the CRS name: latitude first in a URN") {
     REQUIRE(read.datum.lon_deg == Approx(4.262));
     REQUIRE(area_m2(read.field) == Approx(quad_m2(51.781, 0.002, 0.004)).epsilon(1e-6));
   }
+}
+
+// A field near Sydney: latitudes from -33.802, longitudes from 151.200. The wrong way round, its
+// latitude would be off the globe.
+std::string sydney(const std::string& srs_name, bool is_latitude_first) {
+  const double corners[][2] = {
+      {-33.802, 151.2}, {-33.802, 151.204}, {-33.8, 151.204}, {-33.8, 151.2}, {-33.802, 151.2}};
+  std::string places;
+  for (const auto& [lat, lon] : corners) {
+    places += is_latitude_first ? fmt::format("{} {} ", lat, lon) : fmt::format("{} {} ", lon, lat);
+  }
+  return fmt::format(
+      "<Polygon{}><exterior><LinearRing><posList>{}</posList></LinearRing></exterior></Polygon>",
+      srs_name.empty() ? "" : " srsName=\"" + srs_name + "\"", places);
+}
+
+TEST_CASE("Each form of a CRS name has its order of axes, and the other one is refused") {
+  const std::pair<const char*, bool> forms[] = {
+      {"EPSG:4326", false},
+      {"http://www.opengis.net/gml/srs/epsg.xml#4326", false},
+      {"urn:ogc:def:crs:OGC:1.3:CRS84", false},
+      {"urn:ogc:def:crs:EPSG::4326", true},
+      {"http://www.opengis.net/def/crs/EPSG/0/4326", true}};
+  for (const auto& [srs_name, is_latitude_first] : forms) {
+    INFO(srs_name);
+    const auto read = read_land(LandFile{"a", sydney(srs_name, is_latitude_first)});
+    INFO((read ? "" : text(read.error())));
+    REQUIRE(read);
+    CHECK(read->datum.lat_deg == Approx(-33.801));
+    CHECK(read->datum.lon_deg == Approx(151.202));
+    CHECK(area_m2(read->field) == Approx(quad_m2(-33.801, 0.002, 0.004)).epsilon(1e-6));
+    const std::string other = refusal_of(sydney(srs_name, !is_latitude_first));
+    CHECK(other.find("coordinates must come to a place on the globe") != std::string::npos);
+    CHECK(other.find(is_latitude_first ? "latitude first" : "longitude first") !=
+          std::string::npos);
+  }
+}
+
+TEST_CASE("GML without a CRS is refused") {
+  CHECK(refusal_of(sydney("", false)) == "a: must say its CRS in a srsName (got none)");
 }
 
 TEST_CASE("A GAOS parcel is its boundary, with its hectares; its edges are not counted") {
@@ -151,11 +207,33 @@ TEST_CASE("A file that is no field is refused in one line, with the rule and wha
 }
 
 TEST_CASE("Bare metres, unknown CRS and a CRS from a network have no place on the globe") {
-  CHECK(refusal("bare_metres.wkt").find("coordinates must be degrees") != std::string::npos);
-  CHECK(refusal("broken/bare_metres.geojson").find("coordinates must be degrees") !=
-        std::string::npos);
-  CHECK(refusal("broken/crs_from_network.geojson").find("coordinates must be degrees") !=
-        std::string::npos);
+  CHECK(refusal("bare_metres.wkt") ==
+        "bare_metres.wkt: coordinates must be degrees on the globe, or have a CRS (got 700, 0 "
+        "in WGS84 without a CRS stated, longitude first)");
+  CHECK(refusal("broken/bare_metres.geojson") ==
+        "broken/bare_metres.geojson: coordinates must come to a place on the globe by their CRS "
+        "(got 700, 0 in WGS 84 (EPSG:4326), longitude first)");
+  CHECK(refusal("broken/crs_from_network.geojson") ==
+        "broken/crs_from_network.geojson: crs must be one that PROJ knows, or left out for WGS84 "
+        "(got no name)");
+  const std::pair<const char*, std::string> unknown[] = {
+      {"null", "null"},
+      {R"({"type": "name", "properties": {"name": "EPSG:999999"}})", "EPSG:999999"},
+      {R"({"type": "link", "properties": {"href": "http://example.org/crs"}})", "no name"}};
+  for (const auto& [crs, got] : unknown) {
+    CHECK(
+        refusal_of(fmt::format(R"({{"type": "Feature", "crs": {}, "properties": {{}}, "geometry": )"
+                               R"({{"type": "Polygon", "coordinates": [[[4, 51], [4.01, 51], )"
+                               R"([4.01, 51.01], [4, 51]]]}}}})",
+                               crs)) ==
+        "a: crs must be one that PROJ knows, or left out for WGS84 (got " + got + ")");
+  }
+  CHECK(refusal_of("POLYGON ((0 0, 100 0, 100 50, 0 50, 0 0))") ==
+        "a: must be at most 200 km wide; bare metres need a CRS (got 100 x 50 degrees in WGS84 "
+        "without a CRS stated, longitude first)");
+  CHECK(refusal_of("SRID=4326;POLYGON ((4 51, 8 51, 8 52, 4 52, 4 51))") ==
+        "a: must be at most 200 km wide (got 4 x 1 degrees in WGS 84 (EPSG:4326), longitude "
+        "first)");
   CHECK(refusal("broken/unknown_srid.wkt").find("SRID must be a known EPSG code") !=
         std::string::npos);
 }

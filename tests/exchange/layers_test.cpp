@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <fstream>
 
 namespace {
 
@@ -96,18 +97,39 @@ TEST_CASE("A shapefile is read with its CRS and names, also without its index") 
   CHECK(kept.empty());  // nor keeps anything
 }
 
-TEST_CASE("A shapefile of metres without a CRS is refused") {
+TEST_CASE("A shapefile without its .prj is refused") {
   const Folder folder;
   write(folder / "farm.shp", "ESRI Shapefile", false);
   const auto read = read_land(folder / "farm.shp", 0);
   REQUIRE(!read);
-  CHECK(read.error().rule == "coordinates must be degrees on the globe, or have a CRS");
+  CHECK(text(read.error()) ==
+        (folder / "farm.shp") + ": must have its CRS in a .prj file beside it (got none)");
+}
+
+TEST_CASE("A shapefile of a local CRS is refused") {
+  const Folder folder;
+  write(folder / "farm.shp", "ESRI Shapefile", false);
+  std::ofstream{folder / "farm.prj"} << R"(LOCAL_CS["yard",UNIT["metre",1]])";
+  const auto read = read_land(folder / "farm.shp", 0);
+  REQUIRE(!read);
+  CHECK(text(read.error()) ==
+        (folder / "farm.shp") + ": CRS must be one that can be brought to WGS84 (got yard)");
 }
 
 TEST_CASE("A GeoPackage is read with its CRS and names") {
   const Folder folder;
   write(folder / "farm.gpkg", "GPKG", true);
   check_both_fields(folder / "farm.gpkg");
+}
+
+TEST_CASE("A GeoPackage of an undefined CRS is refused") {
+  const Folder folder;
+  write(folder / "farm.gpkg", "GPKG", false);
+  const auto read = read_land(folder / "farm.gpkg", 0);
+  REQUIRE(!read);
+  CHECK(read.error().file == folder / "farm.gpkg");
+  CHECK(read.error().rule == "CRS must be one that can be brought to WGS84");
+  CHECK(read.error().value.find("ndefined") != std::string::npos);
 }
 
 }  // namespace
