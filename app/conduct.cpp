@@ -108,6 +108,7 @@ Expected<mission::Scenario, Exit> load(const Options& options) {
     for (const auto& error : scenario.error()) fmt::print(stderr, "{}\n", mission::text(error));
     return Unexpected{Exit::bad_input};
   }
+  for (const std::string& warning : scenario->warnings) fmt::print(stderr, "{}\n", warning);
   if (options.seed) scenario->seed = scenario->solver.seed = *options.seed;
   return std::move(*scenario);
 }

@@ -41,7 +41,8 @@ struct Flight {
 using Fly = std::function<Expected<Flight, std::string>(const mission::Scenario&,
                                                         const scheduler::FleetPlan&, Progress&)>;
 
-/// Loads the scenario of `options`; on bad input says every error on stderr.
+/// Loads the scenario of `options`; on bad input says every error on stderr, otherwise
+/// every warning.
 ///
 /// @return  The scenario with the seed asked for, or the exit code.
 Expected<mission::Scenario, Exit> load(const Options& options);

@@ -34,7 +34,7 @@ Length depth_in(const Obstacle& obstacle, FieldPoint p);
 /// The land to spray, in the field frame.
 struct Field {
   Ring boundary;
-  std::vector<Ring> holes;  ///< Inside the boundary, disjoint from each other.
+  std::vector<Ring> holes;  ///< Within the boundary, which they may touch, and apart.
   std::vector<Obstacle> obstacles;
 };
 

@@ -11,39 +11,6 @@
 namespace furrow::mission {
 namespace {
 
-// A hole lies inside if one vertex does and no edge of it meets the boundary.
-std::optional<std::string> hole_fault(const Ring& hole, const Ring& boundary) {
-  if (!is_inside(hole.front(), boundary)) {
-    return fmt::format("must lie inside the boundary: {} does not", text(hole.front()));
-  }
-  if (const auto touch = contact(hole, boundary)) {
-    return fmt::format("must lie inside the boundary: {}", *touch);
-  }
-  return {};
-}
-
-std::optional<std::string> overlap(const Ring& a, const Ring& b) {
-  if (auto touch = contact(a, b)) return touch;
-  if (is_inside(a.front(), b)) return fmt::format("{} lies in both", text(a.front()));
-  if (is_inside(b.front(), a)) return fmt::format("{} lies in both", text(b.front()));
-  return {};
-}
-
-// Holes that are sound, apart from each other; the first conflict of each.
-void check_apart(const Section& field, const std::vector<Ring>& holes,
-                 const std::vector<bool>& sound) {
-  for (std::size_t i = 0; i < holes.size(); ++i) {
-    for (std::size_t j = 0; j < i && sound[i]; ++j) {
-      if (!sound[j]) continue;
-      if (const auto place = overlap(holes[i], holes[j])) {
-        field.fail(fmt::format("holes_m[{}]", i),
-                   fmt::format("must keep apart from holes_m[{}]: {}", j, *place));
-        break;
-      }
-    }
-  }
-}
-
 void check_start(const Section& field, const Scenario& s) {
   if (!s.start) return;
   const bool in_hole = std::any_of(s.field.holes.begin(), s.field.holes.end(),
@@ -126,23 +93,6 @@ void check_faults(const Draft& draft) {
 }
 
 }  // namespace
-
-void check_field(const Section& field, const Field& land) {
-  if (land.boundary.empty()) return;
-  const auto fault = ring_fault(land.boundary);
-  if (fault) field.fail("boundary_m", *fault);
-  std::vector<bool> sound;
-  for (std::size_t i = 0; i < land.holes.size(); ++i) {
-    const Ring& hole = land.holes[i];
-    sound.push_back(!hole.empty());
-    if (hole.empty()) continue;
-    auto why = ring_fault(hole);
-    if (!why && !fault) why = hole_fault(hole, land.boundary);
-    if (why) field.fail(fmt::format("holes_m[{}]", i), *why);
-    sound.back() = !why;
-  }
-  check_apart(field, land.holes, sound);
-}
 
 void check_together(const Section& root, const Draft& draft) {
   const bool field = draft.field_in_order, fleet = draft.fleet_in_order;

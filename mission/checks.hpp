@@ -5,10 +5,6 @@
 
 namespace furrow::mission {
 
-/// Adds an error for each broken rule of the outlines: simple polygons, holes inside and apart.
-/// Also without the other keys in order.
-void check_field(const Section& field, const Field& land);
-
 /// Adds an error for each rule broken between keys of different parts of the file, as far as those
 /// parts are in order by themselves.
 void check_together(const Section& root, const Draft& draft);

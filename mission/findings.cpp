@@ -32,10 +32,21 @@ std::string nearest(std::string_view word, const std::vector<std::string>& known
   });
 }
 
+std::vector<ScenarioError> by_line(std::vector<ScenarioError> findings) {
+  std::stable_sort(findings.begin(), findings.end(), [](const auto& a, const auto& b) {
+    return std::tie(a.line, a.column, a.key) < std::tie(b.line, b.column, b.key);
+  });
+  return findings;
+}
+
 }  // namespace
 
 void Findings::add(int line, int column, std::string key, std::string rule, std::string value) {
   errors_.push_back({file_, line, column, std::move(key), std::move(rule), std::move(value)});
+}
+
+void Findings::warn(int line, int column, std::string key, std::string sentence) {
+  warnings_.push_back({file_, line, column, std::move(key), std::move(sentence), {}});
 }
 
 void Findings::ask(const Element* map, const std::string& path, std::string_view key,
@@ -73,12 +84,14 @@ void Findings::judge(const Asked& asked) {
   }
 }
 
-std::vector<ScenarioError> Findings::sorted() const {
-  auto errors = errors_;
-  std::stable_sort(errors.begin(), errors.end(), [](const auto& a, const auto& b) {
-    return std::tie(a.line, a.column, a.key) < std::tie(b.line, b.column, b.key);
-  });
-  return errors;
+std::vector<ScenarioError> Findings::sorted() const { return by_line(errors_); }
+
+std::vector<std::string> Findings::warnings() const {
+  std::vector<std::string> lines;
+  for (const auto& w : by_line(warnings_)) {
+    lines.push_back(fmt::format("{}:{}: {}: warning: {}", shown(w.file), w.line, w.key, w.rule));
+  }
+  return lines;
 }
 
 }  // namespace furrow::mission

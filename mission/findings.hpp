@@ -21,12 +21,16 @@ class Findings {
   void add(int line, int column, std::string key, std::string rule, std::string value);
   void ask(const Element* map, const std::string& path, std::string_view key, std::string rule,
            std::string otherwise);
+  /// What is no error, but must be told: a sentence.
+  void warn(int line, int column, std::string key, std::string sentence);
   /// Adds an error for every key that is unknown or given twice, in the maps that were read.
   void judge_keys();
 
   const std::string& file() const { return file_; }
   bool is_survey() const { return survey_ != nullptr; }
   std::size_t count() const { return errors_.size(); }
+  /// One line each, sorted as the errors.
+  std::vector<std::string> warnings() const;
   /// Sorted by line, column and key.
   std::vector<ScenarioError> sorted() const;
 
@@ -40,7 +44,7 @@ class Findings {
 
   std::string file_;
   std::vector<KnownKey>* survey_;
-  std::vector<ScenarioError> errors_;
+  std::vector<ScenarioError> errors_, warnings_;
   std::vector<Asked> asked_;
   std::map<const Element*, std::size_t> index_;  // into asked_; never iterated
 };

@@ -54,6 +54,7 @@ Expected<Scenario, Errors> parse(std::string_view yaml, const std::string& file)
   check_together(root, draft);
   if (findings.count() > 0) return Unexpected{findings.sorted()};
   place_at_stations(draft);
+  draft.scenario.warnings = findings.warnings();
   return std::move(draft.scenario);
 }
 

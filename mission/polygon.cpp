@@ -16,8 +16,7 @@ struct Vertex {
 
 struct Edge {
   Vertex a, b;
-  std::size_t ring, index;  // Which ring, and which of its edges.
-  std::size_t ring_size;
+  std::size_t index, ring_size;  // Which edge of how many.
 };
 
 Vertex vertex(FieldPoint p) { return {p.x.base(), p.y.base()}; }
@@ -52,47 +51,38 @@ bool fold_back(const Edge& e, const Edge& next) {
 }
 
 bool at_fault(const Edge& e, const Edge& f) {
-  if (e.ring != f.ring) return touch(e, f);
   const std::size_t n = e.ring_size;
   const bool before = (e.index + 1) % n == f.index, after = (f.index + 1) % n == e.index;
   if (before || after) return (before && fold_back(e, f)) || (after && fold_back(f, e));
   return touch(e, f);
 }
 
-void append_edges(const Ring& ring, std::size_t number, std::vector<Edge>& edges) {
+std::vector<Edge> edges_of(const Ring& ring) {
+  std::vector<Edge> edges;
+  edges.reserve(ring.size());
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    edges.push_back({vertex(ring[i]), vertex(ring[(i + 1) % ring.size()]), number, i, ring.size()});
+    edges.push_back({vertex(ring[i]), vertex(ring[(i + 1) % ring.size()]), i, ring.size()});
   }
+  return edges;
 }
 
 std::string text(const Edge& e) {
   return fmt::format("edge ({:.10g}, {:.10g})-({:.10g}, {:.10g})", e.a.x, e.a.y, e.b.x, e.b.y);
 }
 
-// The first pair at fault from west to east; pairs within one ring count only if `within` says so.
-std::optional<std::string> first_fault(std::vector<Edge> edges, bool within) {
+// The first pair at fault from west to east.
+std::optional<std::string> first_fault(std::vector<Edge> edges) {
   const auto west = [](const Edge& e) { return std::min(e.a.x, e.b.x); };
   std::stable_sort(edges.begin(), edges.end(),
                    [&](const Edge& e, const Edge& f) { return west(e) < west(f); });
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const double east = std::max(edges[i].a.x, edges[i].b.x);
     for (std::size_t j = i + 1; j < edges.size() && west(edges[j]) <= east; ++j) {
-      if ((edges[i].ring == edges[j].ring) != within || !at_fault(edges[i], edges[j])) continue;
+      if (!at_fault(edges[i], edges[j])) continue;
       return fmt::format("{} meets {}", text(edges[i]), text(edges[j]));
     }
   }
   return {};
-}
-
-bool boxes_meet(const Ring& a, const Ring& b) {
-  const auto by_x = [](FieldPoint p, FieldPoint q) { return p.x < q.x; };
-  const auto by_y = [](FieldPoint p, FieldPoint q) { return p.y < q.y; };
-  const auto [a_west, a_east] = std::minmax_element(a.begin(), a.end(), by_x);
-  const auto [b_west, b_east] = std::minmax_element(b.begin(), b.end(), by_x);
-  const auto [a_south, a_north] = std::minmax_element(a.begin(), a.end(), by_y);
-  const auto [b_south, b_north] = std::minmax_element(b.begin(), b.end(), by_y);
-  return a_west->x <= b_east->x && b_west->x <= a_east->x && a_south->y <= b_north->y &&
-         b_south->y <= a_north->y;
 }
 
 double distance_m(Vertex p, Vertex a, Vertex b) {
@@ -121,9 +111,7 @@ std::optional<std::string> ring_fault(const Ring& ring) {
       return fmt::format("must not repeat a vertex: {} stands twice in a row", text(ring[i]));
     }
   }
-  std::vector<Edge> edges;
-  append_edges(ring, 0, edges);
-  if (const auto fault = first_fault(std::move(edges), true)) {
+  if (const auto fault = first_fault(edges_of(ring))) {
     return fmt::format("must not cross or touch itself: {}", *fault);
   }
   constexpr double least_m2 = 1;
@@ -139,21 +127,13 @@ bool is_inside(FieldPoint point, const Ring& ring) {
   const Vertex p = vertex(point);
   bool inside = false;
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Edge e{vertex(ring[i]), vertex(ring[(i + 1) % ring.size()]), 0, i, ring.size()};
+    const Edge e{vertex(ring[i]), vertex(ring[(i + 1) % ring.size()]), i, ring.size()};
     if (side(e.a, e.b, p) == 0 && in_box(p, e)) return false;
     if ((e.a.y > p.y) != (e.b.y > p.y)) {
       inside ^= (turn(e.a, e.b, p) > 0) == (e.b.y > e.a.y);
     }
   }
   return inside;
-}
-
-std::optional<std::string> contact(const Ring& a, const Ring& b) {
-  if (!boxes_meet(a, b)) return {};
-  std::vector<Edge> edges;
-  append_edges(a, 0, edges);
-  append_edges(b, 1, edges);
-  return first_fault(std::move(edges), false);
 }
 
 Length distance(FieldPoint p, const Ring& ring) {

@@ -14,9 +14,6 @@ std::optional<std::string> ring_fault(const Ring& ring);
 /// Whether `p` lies inside `ring` and not on it.
 bool is_inside(FieldPoint p, const Ring& ring);
 
-/// Two edges of different rings that cross or touch, as text; nothing if the rings keep apart.
-std::optional<std::string> contact(const Ring& a, const Ring& b);
-
 /// Distance to the nearest point of the ring's inside or edge.
 Length distance(FieldPoint p, const Ring& ring);
 

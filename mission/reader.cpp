@@ -92,9 +92,11 @@ void Section::broken(const Found& found, const std::string& rule) const {
 
 bool Section::has(std::string_view key) const { return find(key).value != nullptr; }
 
-void Section::fail(std::string_view key, std::string rule, std::string value) const {
+// As `find`, also for "holes_m[2]".
+Section::Found Section::find_item(std::string_view key) const {
   const auto bracket = key.find('[');
   Found at = find(key.substr(0, bracket));
+  at.path = path_to(key);
   std::size_t index = 0;
   if (at.value && bracket != std::string_view::npos &&
       std::from_chars(key.data() + bracket + 1, key.data() + key.size(), index).ec == std::errc{} &&
@@ -103,8 +105,18 @@ void Section::fail(std::string_view key, std::string rule, std::string value) co
     at.line = at.value->line;
     at.column = at.value->column;
   }
+  return at;
+}
+
+void Section::fail(std::string_view key, std::string rule, std::string value) const {
+  const Found at = find_item(key);
   if (value.empty()) value = at.value ? shown(*at.value) : "nothing";
-  findings_->add(at.line, at.column, path_to(key), std::move(rule), std::move(value));
+  findings_->add(at.line, at.column, at.path, std::move(rule), std::move(value));
+}
+
+void Section::warn(std::string_view key, std::string sentence) const {
+  const Found at = find_item(key);
+  findings_->warn(at.line, at.column, at.path, std::move(sentence));
 }
 
 double Section::number(std::string_view key, Range range, std::optional<double> otherwise) const {

@@ -71,6 +71,8 @@ class Section {
   /// Adds an error at a key of this map, or at the map itself if it has no such key.
   /// @param key  May go on into a list: "holes_m[2]".
   void fail(std::string_view key, std::string rule, std::string value = {}) const;
+  /// Adds a warning there; `sentence` is one line.
+  void warn(std::string_view key, std::string sentence) const;
   Findings& findings() const { return *findings_; }
 
  private:
@@ -82,6 +84,7 @@ class Section {
   Section(Findings& findings, const Element* map, std::string path, int line, int column);
   std::string path_to(std::string_view key) const;
   Found find(std::string_view key) const;
+  Found find_item(std::string_view key) const;
   // The same, known from now on; complains if it is required and missing.
   Found take(std::string_view key, const std::string& rule, const std::string& otherwise) const;
   void broken(const Found& found, const std::string& rule) const;

@@ -50,6 +50,8 @@ struct Scenario {
   Duration mission_limit;     ///< The run is given up after this mission time.
   std::vector<Fault> faults;  ///< In order of time.
   std::vector<Expectation> expectations;
+  /// What was mended or looks wrong, "FILE:LINE: KEY: warning: SENTENCE" each, by line.
+  std::vector<std::string> warnings;
 };
 
 }  // namespace furrow::mission

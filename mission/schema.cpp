@@ -1,7 +1,7 @@
 #include "mission/schema.hpp"
 
 #include "exchange/land.hpp"
-#include "mission/checks.hpp"
+#include "mission/outline.hpp"
 #include "mission/terrain.hpp"
 
 #include <fmt/format.h>
@@ -97,36 +97,6 @@ planner::CoverageModel read_coverage(const Section& s) {
 // A path in a scenario is relative to the scenario's folder.
 std::string beside(const Section& s, const std::string& path) {
   return (std::filesystem::path{s.findings().file()}.parent_path() / path).string();
-}
-
-void read_land(const Section& s, const std::string& file, std::optional<std::size_t> feature,
-               Scenario& out) {
-  const std::string rule = "must be left out where file is given";
-  for (const char* key : {"boundary_m", "holes_m", "datum"}) s.refuse(key, rule);
-  auto land = exchange::read_land(beside(s, file), feature);
-  if (!land) {
-    s.fail("file", land.error().rule, fmt::format("{} in {}", land.error().value, file));
-    return;
-  }
-  out.field = std::move(land->field);
-  out.datum = land->datum;
-}
-
-void read_outline(const Section& s, Scenario& out) {
-  const auto file = s.optional_text("file", "boundary_m");
-  const auto feature = s.optional_whole("feature", 0, 1'000'000, "the only polygon");
-  if (file) return read_land(s, *file, feature, out);
-  if (s.has("feature")) s.fail("feature", "must be left out where no file is given");
-  out.field.boundary = s.ring("boundary_m");
-  out.field.holes = s.rings("holes_m");
-  const Section datum = s.section("datum");
-  const auto lat = datum.optional_number("lat_deg", from_to(-85, 85), "no place on the globe");
-  const auto lon = datum.optional_number("lon_deg", from_to(-180, 180), "no place on the globe");
-  if (datum.has("lat_deg") != datum.has("lon_deg")) {
-    s.fail("datum", "must have both lat_deg and lon_deg");
-  }
-  if (lat && lon) out.datum = exchange::Datum{.lat_deg = *lat, .lon_deg = *lon};
-  check_field(s, out.field);
 }
 
 // The heading of the strips: a number, or the way from A to B.

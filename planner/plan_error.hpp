@@ -1,5 +1,8 @@
 #pragma once
 
+#include "core/geometry.hpp"
+
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -19,6 +22,7 @@ enum class PlanFault {
 struct PlanError {
   PlanFault fault;
   std::string detail;  ///< The ring, cell, aircraft or station at fault, with numbers and units.
+  std::optional<FieldPoint> at = {};  ///< Where the fault lies, if at one place.
 };
 
 /// The stable name used in logs and error messages.

@@ -101,23 +101,28 @@ constexpr double overlay_grid_m = 1e-7;
 
 }  // namespace
 
-std::string defect(const LandPart& part, PointM origin) {
+std::optional<Defect> defect_in(const LandPart& part) {
   const Session geos;
   const auto shape = geos.owned(geos.polygon(part));
   char* reason = nullptr;
   GEOSGeometry* where = nullptr;
-  std::string text;
+  std::optional<Defect> defect;
   if (GEOSisValidDetail_r(geos.context(), shape.get(), 0, &reason, &where) != 1) {
-    text = reason ? reason : "not a polygon";
+    defect = Defect{reason ? reason : "not a polygon", part.outer.front()};
     PointM p{};
     if (where && GEOSGeomGetX_r(geos.context(), where, &p.x) == 1 &&
         GEOSGeomGetY_r(geos.context(), where, &p.y) == 1) {
-      text += fmt::format(" at ({:.3f}, {:.3f}) m", p.x + origin.x, p.y + origin.y);
+      defect->at = p;
     }
   }
   if (reason) GEOSFree_r(geos.context(), reason);
   if (where) GEOSGeom_destroy_r(geos.context(), where);
-  return text;
+  return defect;
+}
+
+std::string text(const Defect& defect, PointM origin) {
+  return fmt::format("{} at ({:.3f}, {:.3f}) m", defect.why, defect.at.x + origin.x,
+                     defect.at.y + origin.y);
 }
 
 LandParts even_odd(const RingM& ring) {

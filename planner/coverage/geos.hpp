@@ -3,14 +3,23 @@
 
 #include "planner/coverage/plane.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace furrow::planner {
 
-/// What makes `part` no valid polygon and where, "" if nothing; its rings may run either way round.
-/// Coordinates are given with `origin` added, so that they read in the operator's frame.
-std::string defect(const LandPart& part, PointM origin);
+/// What makes a polygon invalid.
+struct Defect {
+  std::string why;
+  PointM at;
+};
+
+/// What makes `part` no valid polygon, nothing if it is one; its rings may run either way round.
+std::optional<Defect> defect_in(const LandPart& part);
+
+/// "WHY at (X, Y) m", with `origin` added, so that it reads in the operator's frame.
+std::string text(const Defect& defect, PointM origin);
 
 /// The area that `ring` encloses an odd number of times, as valid parts.
 LandParts even_odd(const RingM& ring);

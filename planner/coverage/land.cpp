@@ -51,13 +51,24 @@ Expected<std::vector<Ring>, PlanError> land_rings(const Field& field, Length mar
       return Unexpected{invalid(which + " has a vertex that is not finite")};
   }
 
+  LandParts taken;
   LandPart land{plane_ring(field.boundary), {}};
-  for (const Ring& hole : field.holes) land.holes.push_back(plane_ring(hole));
-  if (const std::string why = defect(land, {0, 0}); !why.empty()) {
-    return Unexpected{invalid(why)};
+  for (std::size_t i = 0; i < rings.size(); ++i) {
+    const RingM ring = plane_ring(rings[i]);
+    if (const auto fault = defect_in({ring, {}})) {
+      return Unexpected{PlanError{PlanFault::field_invalid, text(*fault, {0, 0}),
+                                  at_m(fault->at.x, fault->at.y)}};
+    }
+    if (i == 0) continue;
+    land.holes.push_back(ring);
+    taken.push_back({ring, {}});
   }
-  if (margin <= Length{}) return rings;
-  return rings_of(offset({land}, -margin.base()));
+  // Where holes touch the boundary or each other, their rings make no polygon as they are.
+  const bool is_sound = !defect_in(land);
+  if (is_sound && margin <= Length{}) return rings;
+  const LandParts parts =
+      is_sound ? LandParts{land} : subtracted({{land.outer, {}}}, united(taken));
+  return rings_of(offset(parts, -margin.base()));
 }
 
 }  // namespace furrow::planner

@@ -50,13 +50,5 @@ TEST_CASE("polygon: a point is inside, on the edge or outside", "[mission]") {
   CHECK(distance(at_m(5, -2), square) == metres(2));
 }
 
-TEST_CASE("polygon: rings that nest keep apart, rings that cross do not", "[mission]") {
-  const Ring inner{at_m(2, 2), at_m(4, 2), at_m(4, 4)};
-  const Ring crossing{at_m(8, 2), at_m(12, 2), at_m(12, 4)};
-
-  CHECK_FALSE(contact(inner, square));
-  CHECK(contact(crossing, square));
-}
-
 }  // namespace
 }  // namespace furrow::mission
