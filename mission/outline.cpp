@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <filesystem>
 
 namespace furrow::mission {
@@ -43,6 +44,21 @@ void settle(const Section& s, const std::string& file, Scenario& out) {
   out.field = std::move(sound->field);
 }
 
+void compare_with_stated(const Section& s, const std::string& file, const Scenario& out) {
+  constexpr double same = 1e-3;
+  Area land = area(out.field.boundary);
+  for (const Ring& hole : out.field.holes) land -= area(hole);
+  const double off = land / *out.stated_area - 1;
+  if (std::abs(off) <= same) return;
+  const auto both_units = [](Area a) {
+    return fmt::format("{:.1f} m2 ({:.4f} ha)", a.base(), a / hectares(1));
+  };
+  s.warn(land_file,
+         fmt::format("{} states {}, its land within the boundary and outside the holes has {}, "
+                     "{:+.2f} %",
+                     file, both_units(*out.stated_area), both_units(land), 100 * off));
+}
+
 void read_land(const Section& s, const std::string& file, std::optional<std::size_t> feature,
                Scenario& out) {
   const std::string rule = "must be left out where file is given";
@@ -57,6 +73,8 @@ void read_land(const Section& s, const std::string& file, std::optional<std::siz
   out.field = std::move(land->field);
   out.datum = land->datum;
   settle(s, file, out);
+  out.stated_area = land->stated_area;
+  if (out.stated_area) compare_with_stated(s, file, out);
 }
 
 // Rings written down by hand, each a sound polygon by itself.

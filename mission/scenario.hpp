@@ -36,6 +36,7 @@ struct Scenario {
   std::string name;
   std::uint64_t seed;
   Field field;
+  std::optional<Area> stated_area;           ///< Of the field, as its file says.
   std::optional<double> work_direction_deg;  ///< Clockwise from north; searched when left out.
   std::optional<FieldPoint> start;           ///< Chosen when left out.
   std::optional<exchange::Datum> datum;      ///< Where on the globe the frame's origin lies.

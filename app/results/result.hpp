@@ -12,7 +12,8 @@
 namespace furrow::app {
 
 struct FieldFigures {
-  double area_m2;  ///< Inside the boundary and outside the holes.
+  double area_m2;                        ///< Inside the boundary and outside the holes.
+  std::optional<double> stated_area_m2;  ///< As the field's file says.
   std::uint32_t strips;
   double strip_length_m;
   std::uint32_t cells;  ///< Workable cells, those that the route leaves out included.

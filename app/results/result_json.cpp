@@ -27,6 +27,7 @@ Json list(const std::vector<T>& values, Json (*json)(const T&)) {
 
 Json json(const FieldFigures& f) {
   return {{"area_m2", rounded(f.area_m2)},
+          {"stated_area_m2", rounded(f.stated_area_m2)},
           {"strips", f.strips},
           {"strip_length_m", rounded(f.strip_length_m)},
           {"cells", f.cells}};

@@ -44,7 +44,9 @@ FieldFigures field_figures(const MissionRecord& record) {
   const planner::Route& route = record.plan.route;
   double strips_m = 0;
   for (const planner::Strip& s : route.strips) strips_m += distance(s.begin, s.end).base();
+  const std::optional<Area> stated = record.scenario.stated_area;
   return {.area_m2 = area(record.scenario.field).base(),
+          .stated_area_m2 = stated ? std::optional{stated->base()} : std::nullopt,
           .strips = static_cast<std::uint32_t>(route.strips.size()),
           .strip_length_m = strips_m,
           .cells = static_cast<std::uint32_t>(route.centers.size() + route.missed.size())};

@@ -95,11 +95,13 @@ TEST_CASE("outline: land that holes close in is left out with a warning", "[miss
 }
 
 // A field from a GeoJSON file of those corners, near the equator.
-Expected<Scenario, std::vector<ScenarioError>> from_file(const std::string& corners) {
+Expected<Scenario, std::vector<ScenarioError>> from_file(const std::string& corners,
+                                                         const std::string& properties = "{}") {
   const auto folder = std::filesystem::temp_directory_path() / "furrow_outline_test";
   std::filesystem::create_directories(folder);
-  std::ofstream{folder / "farm.geojson"} << R"({"type": "Polygon", "coordinates": [[)" << corners
-                                         << "]]}";
+  std::ofstream{folder / "farm.geojson"} << R"({"type": "Feature", "properties": )" << properties
+                                         << R"(, "geometry": {"type": "Polygon", "coordinates": [[)"
+                                         << corners << "]]}}";
   std::ofstream{folder / "a.yaml"} << "version: 1\nname: a\nfield:\n  file: farm.geojson\n" << rest;
   auto read = load((folder / "a.yaml").string());
   std::filesystem::remove_all(folder);
@@ -117,6 +119,22 @@ TEST_CASE("outline: mended land of a file is said with the place of the fault", 
                                          "touches itself and is mended, at ("));
   CHECK_THAT(read->warnings[0], Contains("lat 0.0005000, lon 30.00"));
   CHECK_THAT(read->warnings[0], Contains(" in farm.geojson"));
+}
+
+TEST_CASE("outline: an area stated otherwise than the land is warned of with both", "[mission]") {
+  const std::string corners = "[30, 0], [30.002, 0], [30.002, 0.001], [30, 0.001], [30, 0]";
+  // 0.002 x 0.001 degrees at the equator: 222.6390 m x 110.5743 m = 24618.1 m2.
+  const auto near = from_file(corners, R"({"area_ha": 2.463})");  // 0.05 % more
+  REQUIRE(near);
+  CHECK(near->stated_area == hectares(2.463));
+  CHECK(near->warnings.empty());
+  const auto off = from_file(corners, R"({"area_ha": 2.5})");
+  REQUIRE(off);
+  REQUIRE(off->warnings.size() == 1);
+  CHECK_THAT(off->warnings[0],
+             Contains("a.yaml:4: field.file: warning: farm.geojson states 25000.0 m2 (2.5000 ha), "
+                      "its land within the boundary and outside the holes has 24618.1 m2 (2.4618 "
+                      "ha), -1.53 %"));
 }
 
 TEST_CASE("outline: land of a file that crosses itself is refused with the place", "[mission]") {

@@ -44,6 +44,11 @@ std::string scenario_table(const MissionRecord& record) {
   table.row({"Field", fmt::format("{:.2f} ha, holes: {}, obstacles: {}, strips heading {:g}°",
                                   area(s.field) / hectares(1), s.field.holes.size(),
                                   s.field.obstacles.size(), record.plan.work_direction_deg)});
+  if (s.stated_area) {
+    const double off = area(s.field) / *s.stated_area - 1;
+    table.row({"Area stated by its file", fmt::format("{:.4f} ha; its land has {:+.2f} %",
+                                                      *s.stated_area / hectares(1), 100 * off)});
+  }
   add_vehicles(table, s.uavs);
   for (const Station& station : s.stations) {
     table.row({fmt::format("Station {}", number(station.id)),
