@@ -24,7 +24,8 @@ void AgentNode::adopt(const Command& command, Instant now) {
   scheduler_epoch_ = command.epoch;
 
   const double wind_mps = (settings_.wind.mean + 2.0 * settings_.wind.gust).base();
-  auto fault = fault_in(command, settings_.stations);
+  auto fault = fault_in(command, settings_.stations,
+                        is_revision(command) ? ledger_.sprayed_cells() : std::set<std::uint32_t>{});
   if (!fault && wind_mps > workable_wind_mps(vehicle_)) {
     fault = "gusts of " + fixed(wind_mps, 1) + " m/s leave no headway, " +
             fixed(workable_wind_mps(vehicle_), 1) + " m/s is the most";
@@ -39,25 +40,44 @@ void AgentNode::adopt(const Command& command, Instant now) {
                   .reason = *fault});
 }
 
+bool AgentNode::is_revision(const Command& command) const {
+  return order_ && order_->epoch() == command.epoch;
+}
+
 void AgentNode::replace_order(const Command& command, Instant now) {
-  if (order_) {
+  const bool revises = is_revision(command);
+  Order next = revises ? Order{command, ledger_.sprayed_cells()} : Order{command};
+  const bool goes_on = revises && keeps_course(next);
+  if (order_ && !goes_on) {
     ledger_.close_all(CloseReason::superseded, now);
     if (!ledger_.closures().empty()) send_report(now);
-    if (order_->epoch() != command.epoch) ledger_.restart();
+    if (!revises) ledger_.restart();
   }
-  order_ = Order{command};
-  is_running_ = false;
+  order_ = std::move(next);
+  is_running_ = is_running_ && goes_on;
   acknowledge(AckStatus::received);
   acknowledge(AckStatus::accepted);
+  if (is_running_) acknowledge(AckStatus::running);
 
+  const bool stands = phase_ == Phase::idle || phase_ == Phase::wait;
   if (is_airborne() && phase_ != Phase::fly_back) {
-    if (!leaving_) leave(CloseReason::superseded, now);
-  } else if (phase_ == Phase::idle && order_->is_finished()) {
+    if (!goes_on && !leaving_) leave(CloseReason::superseded, now);
+  } else if (stands && order_->is_finished() && (!visit_ || visit_->is_released())) {
     finish(now);
   } else if (phase_ == Phase::done && !order_->is_finished()) {
     phase_ = Phase::wait;
     prepare(now);
   }
+}
+
+// Whether a revision leaves its windows and the rest of the sortie in the air as they are.
+bool AgentNode::keeps_course(const Order& next) const {
+  if (!ledger_.fits(next)) return false;
+  if (!is_airborne() || phase_ == Phase::fly_back) return true;
+  const std::size_t pieces = route_->pieces.size();
+  if (route_piece_ >= pieces) return false;  // hovers without a way
+  if (route_piece_ + 1 == pieces && is_on_tail()) return true;
+  return !order_->is_finished() && !next.is_finished() && order_->goes_on_as(next);
 }
 
 // Everything that happens up to `now` without a message, in order of time.

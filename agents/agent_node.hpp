@@ -75,6 +75,8 @@ class AgentNode {
   };
   void adopt(const Command& command, Instant now);
   void replace_order(const Command& command, Instant now);
+  bool is_revision(const Command& command) const;
+  bool keeps_course(const Order& next) const;
   void live_until(Instant now);
   void prepare(Instant t);
   Demand demand() const;

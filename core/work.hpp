@@ -34,6 +34,7 @@ struct Piece {
   /// Way points from the exit of the piece before in the same sortie to `entry`, flown with the
   /// valve closed; none: straight.
   std::vector<FieldPoint> approach{};
+  friend bool operator==(const Piece&, const Piece&) = default;
 };
 
 /// One trip from the supply station and back: what to spray in between, in order.

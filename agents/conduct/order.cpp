@@ -29,7 +29,21 @@ std::optional<std::string> fault_in(const Piece& p) {
   return std::nullopt;
 }
 
+// A cell sprayed already that `order` comes to after others.
+std::optional<std::string> sprayed_late(Order order, const std::set<std::uint32_t>& sprayed) {
+  if (sprayed.empty()) return std::nullopt;
+  for (; !order.is_finished(); order.spray()) {
+    if (!sprayed.contains(order.next_cell())) continue;
+    return "cell " + std::to_string(order.next_cell()) + " is sprayed already";
+  }
+  return std::nullopt;
+}
+
 }  // namespace
+
+Order::Order(Command command, const std::set<std::uint32_t>& sprayed) : Order{std::move(command)} {
+  while (!is_finished() && sprayed.contains(next_cell())) spray();
+}
 
 bool Order::is_older_than(const Command& c) const {
   return std::tuple{epoch(), revision()} < std::tuple{c.epoch, c.revision};
@@ -66,6 +80,10 @@ bool Order::spray() {
   return true;
 }
 
+bool Order::goes_on_as(const Order& other) const {
+  return station() == other.station() && rest_of_sortie() == other.rest_of_sortie();
+}
+
 bool Order::is_open(CellRange cells) const {
   if (is_finished() || cells.count == 0) return false;
   for (std::size_t s = sortie_; s < command_.sorties.size(); ++s) {
@@ -80,7 +98,8 @@ bool Order::is_open(CellRange cells) const {
   return false;
 }
 
-std::optional<std::string> fault_in(const Command& command, std::span<const Station> stations) {
+std::optional<std::string> fault_in(const Command& command, std::span<const Station> stations,
+                                    const std::set<std::uint32_t>& sprayed) {
   std::vector<CellRange> ordered;
   for (const SortieOrder& sortie : command.sorties) {
     const bool is_known = std::any_of(stations.begin(), stations.end(),
@@ -98,7 +117,7 @@ std::optional<std::string> fault_in(const Command& command, std::span<const Stat
     if (ordered[i].first >= end(ordered[i - 1])) continue;
     return "cell " + std::to_string(ordered[i].first) + " is ordered twice";
   }
-  return std::nullopt;
+  return sprayed_late(Order{command, sprayed}, sprayed);
 }
 
 }  // namespace furrow::agents

@@ -4,6 +4,7 @@
 #include "core/station.hpp"
 
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,6 +16,8 @@ class Order {
  public:
   Order() = default;
   explicit Order(Command command) : command_{std::move(command)} {}
+  /// Begins behind the cells that were sprayed already, as far as they come first.
+  Order(Command command, const std::set<std::uint32_t>& sprayed);
 
   Epoch epoch() const { return command_.epoch; }
   std::uint32_t revision() const { return command_.revision; }
@@ -37,6 +40,10 @@ class Order {
   /// Books the next cell. @return Whether it ended the sortie.
   bool spray();
 
+  /// Whether both have the same left of the sortie that each is at, to the same station.
+  /// @pre Neither is finished.
+  bool goes_on_as(const Order& other) const;
+
   /// Whether `cells` lie within one piece and none of them is sprayed yet.
   bool is_open(CellRange cells) const;
 
@@ -47,7 +54,9 @@ class Order {
 };
 
 /// Why a command cannot be followed, or nothing when it can. Its cells may come in any order, each
-/// once.
-std::optional<std::string> fault_in(const Command& command, std::span<const Station> stations);
+/// once; those that were sprayed already come before all others.
+/// @param sprayed  By this aircraft in the command's epoch.
+std::optional<std::string> fault_in(const Command& command, std::span<const Station> stations,
+                                    const std::set<std::uint32_t>& sprayed = {});
 
 }  // namespace furrow::agents

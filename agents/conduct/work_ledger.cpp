@@ -36,10 +36,18 @@ bool WorkLedger::spray(std::uint32_t cell, Instant at) {
     return o.window.cells.first + o.sprayed == cell;
   });
   require(open != open_.end(), "only granted cells are sprayed");
+  sprayed_.insert(cell);
   if (++open->sprayed < open->window.cells.count) return false;
   close(*open, CloseReason::sprayed, at);
   open_.erase(open);
   return true;
+}
+
+bool WorkLedger::fits(const Order& order) const {
+  return std::all_of(open_.begin(), open_.end(), [&](const Open& o) {
+    const CellRange cells = o.window.cells;
+    return order.is_open({cells.first + o.sprayed, cells.count - o.sprayed});
+  });
 }
 
 void WorkLedger::close_all(CloseReason reason, Instant at) {

@@ -4,6 +4,7 @@
 #include "core/messages.hpp"
 
 #include <cstdint>
+#include <set>
 #include <vector>
 
 namespace furrow::agents {
@@ -27,6 +28,9 @@ class WorkLedger {
   /// Closes every window as it is, oldest first.
   void close_all(CloseReason reason, Instant at);
 
+  /// Whether all that is left of the open windows is work of `order`.
+  bool fits(const Order& order) const;
+
   /// Forgets everything: ids begin again with a new epoch.
   void restart() { *this = {}; }
 
@@ -34,6 +38,7 @@ class WorkLedger {
   std::uint64_t last_closed() const { return last_closed_; }
   /// Not yet booked by the scheduler, oldest first.
   const std::vector<Closure>& closures() const { return closures_; }
+  const std::set<std::uint32_t>& sprayed_cells() const { return sprayed_; }
 
  private:
   struct Open {
@@ -44,6 +49,7 @@ class WorkLedger {
 
   std::vector<Open> open_;
   std::vector<Closure> closures_;
+  std::set<std::uint32_t> sprayed_;
   std::uint64_t last_accepted_ = 0, last_closed_ = 0;
 };
 

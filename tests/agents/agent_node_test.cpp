@@ -251,6 +251,65 @@ TEST_CASE("agent: a newer revision in the air closes the old windows and is flow
   CHECK(all<AgentState>(log).back().phase == Phase::done);
 }
 
+// Steps an agent once a second under `told`, by second; everything that it says.
+std::vector<Envelope> told_by_second(AgentNode& agent, const std::map<int, std::vector<Body>>& told,
+                                     int to_s) {
+  std::vector<Envelope> log;
+  std::uint64_t seq = 0;
+  for (int s = 0; s < to_s; ++s) {
+    const Instant now = mission_start + s * second;
+    Inbox inbox;
+    if (const auto at = told.find(s); at != told.end()) {
+      for (const Body& body : at->second) inbox.push_back({scheduler_node(), ++seq, now, body});
+    }
+    for (Body& body : agent.step(inbox, now).messages) {
+      log.push_back({node(agent_7), log.size() + 1, now, std::move(body)});
+    }
+  }
+  return log;
+}
+
+TEST_CASE("agent: a revision that only adds sorties is taken up without a stop", "[agents]") {
+  const auto ordered = two_sorties(strips(3, 100), 149);
+  const std::vector<SortieOrder> before{ordered[0]};
+  const Command first{agent_7, boot_1, Epoch{1}, 1, before};
+  const Command revised{agent_7, boot_1, Epoch{1}, 2, ordered};
+  const WorkGrant two{agent_7, boot_1, Epoch{1}, 1, 0, {{1, {0, 100}}, {2, {100, 50}}}};
+  const WorkGrant all_four{agent_7, boot_1, Epoch{1}, 2, 2, {{3, {150, 50}}, {4, {200, 100}}}};
+  // Cell 60 is passed 40 s after take-off, the last of the sortie after 100 s; it is home, with all
+  // of the first order done, after 120 s.
+  for (const int revised_s : {40, 101, 105, 180}) {
+    CAPTURE(revised_s);
+    AgentNode agent{settings_of(sprayer())};
+    const auto log = told_by_second(
+        agent, {{1, {first}}, {2, {two}}, {revised_s, {revised}}, {revised_s + 1, {all_four}}},
+        500);
+    CHECK(each_once(log, 300));
+    for (const auto& report : all<WorkReport>(log)) {
+      for (const Closure& c : report.closures) CHECK(c.reason == CloseReason::sprayed);
+    }
+    CHECK_FALSE(contains(event_kinds(log), "hold_begun"));
+    CHECK(all<SortieReport>(log).size() == 2);
+    CHECK(all<AgentState>(log).back().phase == Phase::done);
+  }
+}
+
+TEST_CASE("agent: a revision that takes the rest away brings it home, done", "[agents]") {
+  const auto ordered = two_sorties(strips(3, 100), 149);
+  const Command first{agent_7, boot_1, Epoch{1}, 1, ordered};
+  const Command shorter{agent_7, boot_1, Epoch{1}, 2, {ordered[0]}};
+  const WorkGrant two{agent_7, boot_1, Epoch{1}, 1, 0, {{1, {0, 100}}, {2, {100, 50}}}};
+  for (const int revised_s :
+       {40, 105, 180}) {  // in the air at work, on the way home, on the ground
+    CAPTURE(revised_s);
+    AgentNode agent{settings_of(sprayer())};
+    const auto log = told_by_second(agent, {{1, {first}}, {2, {two}}, {revised_s, {shorter}}}, 300);
+    CHECK(each_once(log, 150));
+    CHECK(all<AgentState>(log).back().phase == Phase::done);
+    CHECK(all<CommandAck>(log).back().status == AckStatus::done);
+  }
+}
+
 TEST_CASE("agent: rejects what cannot be flown, and says why", "[agents]") {
   const auto answer = [](const AgentSettings& settings, std::vector<SortieOrder> sorties) {
     AgentNode agent{settings};

@@ -49,5 +49,30 @@ TEST_CASE("order: a cell ordered twice is refused", "[agents]") {
   CHECK(fault_in(command, stations) == "cell 10 is ordered twice");
 }
 
+TEST_CASE("order: begins behind what is sprayed, which comes first or is refused", "[agents]") {
+  const Order order{backwards(), {10, 11, 12, 13, 14, 0}};
+  CHECK(order.sortie() == 1);
+  CHECK(order.next_cell() == 1);
+  CHECK(Order{backwards(), {10, 11, 12, 13, 14, 0, 1, 2, 3, 4}}.is_finished());
+  CHECK(fault_in(backwards(), {}, {}) == "station 1 is unknown");
+  const std::vector<Station> stations{Station{.id = StationId{1},
+                                              .position = {},
+                                              .bays = 1,
+                                              .battery_swap = {},
+                                              .fill_base = {},
+                                              .fill_full = {}}};
+  CHECK_FALSE(fault_in(backwards(), stations, {10, 11}));
+  CHECK(fault_in(backwards(), stations, {10, 12}) == "cell 12 is sprayed already");
+}
+
+TEST_CASE("order: goes on as another with the same rest of the sortie", "[agents]") {
+  Command longer = backwards();
+  longer.sorties.push_back({{piece({20, 5})}, StationId{1}});
+  CHECK(Order{backwards(), {10, 11}}.goes_on_as(Order{longer, {10, 11}}));
+  CHECK_FALSE(Order{backwards(), {10, 11}}.goes_on_as(Order{longer, {10}}));
+  longer.sorties[0].station = StationId{2};
+  CHECK_FALSE(Order{backwards(), {10, 11}}.goes_on_as(Order{longer, {10, 11}}));
+}
+
 }  // namespace
 }  // namespace furrow::agents

@@ -37,6 +37,16 @@ TEST_CASE("work ledger: refuses another epoch, another revision and cells across
   CHECK(ledger.last_accepted() == 0);
 }
 
+TEST_CASE("work ledger: fits an order that holds what is left of its windows", "[agents]") {
+  WorkLedger ledger;
+  ledger.accept(level({{1, {0, 10}}}), order);
+  for (std::uint32_t cell = 0; cell < 4; ++cell) ledger.spray(cell, Instant{});
+  const std::vector<SortieOrder> without_first{{{strips(3, 10)[1]}, StationId{1}}};
+  CHECK(ledger.sprayed_cells() == std::set<std::uint32_t>{0, 1, 2, 3});
+  CHECK(ledger.fits(order));
+  CHECK_FALSE(ledger.fits(Order{Command{agent_7, boot_1, Epoch{3}, 3, without_first}}));
+}
+
 TEST_CASE("work ledger: closes in part and takes up the rest under a new id", "[agents]") {
   WorkLedger ledger;
   ledger.accept(level({{1, {0, 10}}, {2, {10, 10}}}), order);
