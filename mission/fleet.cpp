@@ -57,7 +57,8 @@ scheduler::FleetProblem fleet_problem(const Scenario& scenario) {
           .work_direction_deg = scenario.work_direction_deg,
           .stations = scenario.stations,
           .vehicles = scenario.uavs,
-          .solver = scenario.solver};
+          .solver = scenario.solver,
+          .terrain = scenario.terrain};
 }
 
 BootId first_boot(const Scenario& scenario, NodeId node) {

@@ -135,6 +135,15 @@ FlightTimes::FlightTimes(const planner::Route& route, const planner::ReturnProbl
       station_{problem.station.position},
       ferries_{route.ferries},
       back_m_{problem.back_m} {
+  if (problem.hills) {
+    late_s_ = problem.hills->late_s;
+    resume_late_s_ = problem.hills->resume_late_s;
+    const double ferry_mps = problem.vehicle.ferry_speed.base();
+    for (std::uint32_t i = 0; i < problem.cells.count; ++i) {
+      late_back_s_.push_back(problem.back_s(i) - problem.back_m[i] / ferry_mps);
+      late_out_s_.push_back(problem.out_s(i) - problem.out_m[i] / ferry_mps);
+    }
+  }
   const std::uint32_t begin = problem.cells.first;
   for (const planner::Strip& strip : route.strips) {
     const std::uint32_t first = std::max(strip.cells.first, begin);
@@ -219,7 +228,13 @@ SortieTimes FlightTimes::operator()(const planner::PlannedSortie& sortie, bool i
     way.add(at, vehicle_.ferry_speed, Corner::cut);
   }
   way.add(station_, vehicle_.ferry_speed, Corner::stop);
-  return way.times(sprayed_legs);
+  SortieTimes times = way.times(sprayed_legs);
+  if (!late_s_.empty()) {
+    times.until_sprayed_s +=
+        late_out_s_[sortie.first] + (late_s_[sortie.last] - resume_late_s_[sortie.first]);
+    times.home_s += late_back_s_[sortie.last];
+  }
+  return times;
 }
 
 }  // namespace furrow::scheduler

@@ -25,7 +25,8 @@ struct SortieTimes {
 /// speeds u and w takes, at limit v, what its trapezoid takes: ramps at a up to the peak
 /// p = min(v, sqrt(a s + (u^2 + w^2) / 2)), and the rest at p. From rest to rest that is s / v + v
 /// / a where v is reached, and 2 sqrt(s / a) where not. Speeds from which the next corner could not
-/// be met are lowered from the end of the way backwards.
+/// be met are lowered from the end of the way backwards. Over hills a flight takes longer by what
+/// slopes slow it down on the way, as the problem says.
 class FlightTimes {
  public:
   /// The route and the problem are copied from, not kept.
@@ -55,6 +56,8 @@ class FlightTimes {
   FieldPoint station_;
   planner::FerryMap ferries_;
   std::vector<double> back_m_;
+  // By cell: longer than on level land [s].
+  std::vector<double> late_back_s_{}, late_out_s_{}, late_s_{}, resume_late_s_{};
   // As asked for: by cell those that bend, and from home or station to the first cell of a run.
   mutable std::map<std::uint32_t, Places> ways_home_{};
   mutable std::map<std::pair<bool, std::uint32_t>, Places> ways_out_{};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "planner/coverage/cover.hpp"
+#include "planner/terrain/relief.hpp"
 #include "scheduler/fleet_plan.hpp"
 
 #include <optional>
@@ -15,10 +16,14 @@ struct FleetProblem {
   std::vector<Station> stations;             ///< At least one.
   std::vector<Vehicle> vehicles;             ///< At least one, ids rising, all of one swath.
   planner::SolveSettings solver;             ///< Its budget is for the whole fleet.
+  std::optional<planner::TerrainModel> terrain{};  ///< None: level land.
 };
 
-/// The ways between all stations, homes and strips, at the distances that strips keep.
-/// @error  As planner::FerryMap::over.
+/// The ways between all stations, homes and strips, at the distances that strips keep. Over terrain
+/// with its heights; they lead around keep-out volumes, whatever part of their height is kept out.
+/// @error  out_of_reach  A keep-out volume is over the field, or the ceiling is too low for ferries
+///         over the highest ground on the way.
+/// @error  any other     As planner::FerryMap::over.
 Expected<planner::FerryMap, planner::PlanError> ferry_map(const FleetProblem& problem);
 
 /// Plans the mission: covers the field, cuts the route into shares that are predicted to be done at

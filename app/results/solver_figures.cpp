@@ -15,7 +15,9 @@ constexpr std::uint64_t bracket_work = 200'000'000;
 // Flying until empty, and breaking anywhere: none where some aircraft's cannot be told.
 void add_yardsticks(const MissionRecord& record, SolverFigures& f) {
   double until_empty_s = 0, anywhere_s = 0, widest = 0;
-  bool is_told = true, is_bracketed = record.plan.sweep.has_value();
+  bool is_told = true;
+  const bool is_level = record.plan.route.ferries.relief() == nullptr;
+  bool is_bracketed = record.plan.sweep.has_value() && is_level;
   for (const scheduler::UavPlan& uav : record.plan.uavs) {
     if (uav.cells.count == 0) continue;
     const auto problem =

@@ -1,5 +1,6 @@
 #include "planner/ferry/ferry_map.hpp"
 
+#include "core/require.hpp"
 #include "planner/coverage/geos.hpp"
 #include "planner/coverage/swath/inset.hpp"
 #include "planner/coverage/swath/inside_paths.hpp"
@@ -140,6 +141,17 @@ std::vector<FieldPoint> FerryMap::way(FieldPoint from, FieldPoint to) const {
   for (std::size_t i = 1; i + 1 < path.size(); ++i) made.push_back(ground_->field_point(path[i]));
   made.push_back(to);
   return made;
+}
+
+FerryMap FerryMap::over_ground(Relief relief) const {
+  FerryMap map = *this;
+  map.relief_ = std::make_shared<const Relief>(std::move(relief));
+  return map;
+}
+
+AirWay FerryMap::air_way(FieldPoint from, FieldPoint to, Speed speed, Length layer) const {
+  require(relief_ != nullptr, "heights are flown over a relief");
+  return relief_->ferry(way(from, to), speed, layer);
 }
 
 Length FerryMap::length(FieldPoint from, FieldPoint to) const {

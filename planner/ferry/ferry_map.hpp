@@ -4,6 +4,7 @@
 #include "core/expected.hpp"
 #include "core/field.hpp"
 #include "planner/plan_error.hpp"
+#include "planner/terrain/relief.hpp"
 
 #include <memory>
 #include <span>
@@ -50,11 +51,23 @@ class FerryMap {
   /// search.
   Length length(FieldPoint from, FieldPoint to) const;
 
+  /// The same ways over ground that is not level.
+  FerryMap over_ground(Relief relief) const;
+
+  /// The ground, or nothing where it is level.
+  const Relief* relief() const { return relief_.get(); }
+
+  /// The way from `from` to `to` with its heights.
+  /// @param layer  See Relief::layer_of.
+  /// @pre There is a relief.
+  AirWay air_way(FieldPoint from, FieldPoint to, Speed speed, Length layer) const;
+
  private:
   class Ground;
   explicit FerryMap(std::shared_ptr<const Ground> ground) : ground_{std::move(ground)} {}
 
   std::shared_ptr<const Ground> ground_{};
+  std::shared_ptr<const Relief> relief_{};
 };
 
 }  // namespace furrow::planner

@@ -41,6 +41,7 @@ struct ContinuousBracket {
 ///
 /// Where packs do not last, the bracket also holds what swaps and short packs cost.
 ///
+/// @pre Level land.
 /// @error  tank_too_small, out_of_reach  See `infeasibility`.
 ///
 /// Time of `exact_plan` plus O(cells).

@@ -13,14 +13,14 @@ ReturnCost::ReturnCost(const ReturnProblem& problem)
       fill_rise_s_{(problem.station.fill_full - problem.station.fill_base).base()} {
   const auto n = static_cast<std::uint32_t>(problem.spray_m.size());
   for (std::uint32_t i = 0; i < n; ++i) {
-    const double out_s = problem.out_m[i] / problem.vehicle.ferry_speed.base();
     cells_.push_back({.spray_m = problem.spray_m[i],
-                      .route_s = problem.on_route_s[i],
-                      .back_s = problem.back_m[i] / problem.vehicle.ferry_speed.base(),
+                      .back_s = problem.back_s(i),
                       .resume_m = problem.resume_m[i],
-                      .resume_s = problem.resume_s[i],
-                      .out_s = out_s,
-                      .leave_s = out_s - (problem.resume_s[i] - problem.on_route_s[i])});
+                      .leave_s = problem.out_s(i) - (problem.resume_s[i] - problem.on_route_s[i]),
+                      .route_s = problem.route_pack_s(i),
+                      .resume_s = problem.resume_pack_s(i),
+                      .out_s = problem.out_pack_s(i),
+                      .home_s = problem.back_pack_s(i)});
   }
   for (std::uint32_t i = 0, j = 0; i < n; ++i) {
     while (j + 1 < n && spray_m(i, j + 1) <= limits_.tank_m) ++j;

@@ -36,10 +36,10 @@ class ReturnCost {
   std::uint32_t last_cell() const { return static_cast<std::uint32_t>(cells_.size() - 1); }
   const Limits& limits() const { return limits_; }
 
-  /// Flight of a sortie from cell `first` to cell `last`, seconds.
+  /// What a sortie from cell `first` to cell `last` takes of a pack, seconds of level flight.
   double flight_s(std::uint32_t first, std::uint32_t last) const {
     return cells_[first].out_s + (cells_[last].route_s - cells_[first].resume_s) +
-           cells_[last].back_s;
+           cells_[last].home_s;
   }
   /// In the bay before a sortie that sprays `spray_m`, seconds.
   double service_s(double spray_m, bool swap) const {
@@ -56,7 +56,8 @@ class ReturnCost {
 
  private:
   struct Cell {
-    double spray_m, route_s, back_s, resume_m, resume_s, out_s, leave_s;
+    double spray_m, back_s, resume_m, leave_s;
+    double route_s, resume_s, out_s, home_s;  // of a pack
   };
   std::vector<Cell> cells_;
   std::vector<std::uint32_t> tank_reach_, reach_;

@@ -11,13 +11,12 @@ namespace furrow::planner {
 namespace {
 
 PlannedSortie flown(const ReturnProblem& problem, std::uint32_t first, std::uint32_t last) {
-  const double ferry_mps = problem.vehicle.ferry_speed.base();
   return {.first = first,
           .last = last,
           .spray_m = problem.spray_m[last] - problem.resume_m[first],
-          .fly_out_s = problem.out_m[first] / ferry_mps,
+          .fly_out_s = problem.out_s(first),
           .spray_s = problem.on_route_s[last] - problem.resume_s[first],
-          .fly_back_s = problem.back_m[last] / ferry_mps,
+          .fly_back_s = problem.back_s(last),
           .pack = 1,
           .battery_used = 0.0,
           .battery_swap_s = 0.0,
@@ -25,7 +24,12 @@ PlannedSortie flown(const ReturnProblem& problem, std::uint32_t first, std::uint
           .service_s = 0.0};
 }
 
-double flight_s(const PlannedSortie& s) { return s.fly_out_s + s.spray_s + s.fly_back_s; }
+// Of a pack, in seconds of level flight.
+double pack_s(const ReturnProblem& problem, const PlannedSortie& s) {
+  return problem.out_pack_s(s.first) +
+         (problem.route_pack_s(s.last) - problem.resume_pack_s(s.first)) +
+         problem.back_pack_s(s.last);
+}
 
 std::uint32_t cell_count(const ReturnProblem& problem) {
   return static_cast<std::uint32_t>(problem.spray_m.size());
@@ -53,12 +57,12 @@ ReturnPlan evaluated(const ReturnProblem& problem, const Returns& returns) {
   for (std::size_t n = 0; n < plan.sorties.size(); ++n) {
     PlannedSortie& sortie = plan.sorties[n];
     sortie.pack = plan.swaps + 1;
-    sortie.battery_used = flight_s(sortie) / problem.vehicle.flight_endurance.base();
-    used_s += flight_s(sortie);
+    sortie.battery_used = pack_s(problem, sortie) / problem.vehicle.flight_endurance.base();
+    used_s += pack_s(problem, sortie);
     if (n + 1 == plan.sorties.size()) break;
 
     const PlannedSortie& next = plan.sorties[n + 1];
-    const bool swap = used_s + flight_s(next) > limits.pack_s;
+    const bool swap = used_s + pack_s(problem, next) > limits.pack_s;
     if (swap) {
       used_s = 0.0;
       ++plan.swaps;
@@ -77,7 +81,7 @@ ReturnPlan evaluated(const ReturnProblem& problem, const Returns& returns) {
 bool is_feasible(const ReturnProblem& problem, const ReturnPlan& plan) {
   const Limits limits = limits_of(problem);
   return std::all_of(plan.sorties.begin(), plan.sorties.end(), [&](const PlannedSortie& s) {
-    return s.spray_m <= limits.tank_m && flight_s(s) <= limits.pack_s;
+    return s.spray_m <= limits.tank_m && pack_s(problem, s) <= limits.pack_s;
   });
 }
 
@@ -93,13 +97,13 @@ std::optional<PlanError> infeasibility(const ReturnProblem& problem) {
                                    number(problem.vehicle.id), cell(i), least.spray_m,
                                    tank_range(problem.vehicle).base())};
     }
-    if (flight_s(least) > limits.pack_s) {
+    if (pack_s(problem, least) > limits.pack_s) {
       return PlanError{
           PlanFault::out_of_reach,
           fmt::format("UAV {}: cell {} from station {} and back takes {:.1f} s of flight, a pack "
                       "lasts for {:.1f} s",
                       number(problem.vehicle.id), cell(i), number(problem.station.id),
-                      flight_s(least), usable_endurance(problem.vehicle).base())};
+                      pack_s(problem, least), usable_endurance(problem.vehicle).base())};
     }
   }
   return std::nullopt;

@@ -6,9 +6,10 @@ namespace furrow::planner {
 
 bool carries(const ReturnProblem& problem, std::uint32_t first, std::uint32_t last) {
   const Limits limits = limits_of(problem);
-  const double flight_s =
-      (problem.out_m[first] + problem.back_m[last]) / problem.vehicle.ferry_speed.base() +
-      problem.on_route_s[last] - problem.resume_s[first];
+  const double ferry_s = problem.hills ? problem.out_pack_s(first) + problem.back_pack_s(last)
+                                       : (problem.out_m[first] + problem.back_m[last]) /
+                                             problem.vehicle.ferry_speed.base();
+  const double flight_s = ferry_s + problem.route_pack_s(last) - problem.resume_pack_s(first);
   return problem.spray_m[last] - problem.resume_m[first] <= limits.tank_m &&
          flight_s <= limits.pack_s;
 }

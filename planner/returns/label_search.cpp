@@ -74,7 +74,7 @@ class Labels {
     const Label& label = labels_[from];
     const std::uint32_t i = cell(label.candidate), j = cell(d);
     const double flight_s =
-        legs_.leave_s[i] + (legs_.route_s[j] - legs_.route_s[i]) + legs_.back_s[j];
+        legs_.leave_pack_s[i] + (legs_.route_s[j] - legs_.route_s[i]) + legs_.back_pack_s[j];
     const bool swap = label.used_s + flight_s > legs_.pack_s;
     return {.cost_s =
                 label.cost_s + legs_.leave_s[i] + legs_.service_s(i, j, swap) + legs_.arrival_s(j),

@@ -53,17 +53,18 @@ std::vector<double> until(const Legs& legs) {
 
 Legs legs_of(const ReturnProblem& problem) {
   const Limits limits = limits_of(problem);
-  const double ferry_mps = problem.vehicle.ferry_speed.base();
   const auto n = static_cast<std::uint32_t>(problem.spray_m.size());
   const double fill_base_s = problem.station.fill_base.base();
   Legs legs{.last = n - 1,
             .spray_m = problem.spray_m,
-            .route_s = problem.on_route_s,
+            .route_s = {},
             .back_s = {},
             .leave_s = {},
+            .back_pack_s = {},
+            .leave_pack_s = {},
             .landing_s = {},
             .reach = std::vector<std::uint32_t>(n),
-            .first_offset_s = problem.fly_out_m / ferry_mps,
+            .first_offset_s = problem.out_pack_s(0),
             .tank_m = limits.tank_m,
             .pack_s = limits.pack_s,
             .swap_s = problem.station.battery_swap.base(),
@@ -72,10 +73,13 @@ Legs legs_of(const ReturnProblem& problem) {
                             tank_range(problem.vehicle).base()};
   std::uint32_t end = 0;
   for (std::uint32_t i = 0; i < n; ++i) {
-    legs.back_s.push_back(problem.back_m[i] / ferry_mps);
-    legs.leave_s.push_back(problem.out_m[i] / ferry_mps -
-                           (problem.resume_s[i] - problem.on_route_s[i]));
-    legs.landing_s.push_back(legs.route_s[i] + legs.back_s[i]);
+    legs.route_s.push_back(problem.route_pack_s(i));
+    legs.back_s.push_back(problem.back_s(i));
+    legs.leave_s.push_back(problem.out_s(i) - (problem.resume_s[i] - problem.on_route_s[i]));
+    legs.back_pack_s.push_back(problem.back_pack_s(i));
+    legs.leave_pack_s.push_back(problem.out_pack_s(i) -
+                                (problem.resume_pack_s(i) - problem.route_pack_s(i)));
+    legs.landing_s.push_back(legs.route_s[i] + legs.back_pack_s[i]);
     while (end + 1 < n && legs.spray_m[end + 1] - problem.resume_m[i] <= legs.tank_m) ++end;
     legs.reach[i] = end;
   }

@@ -10,19 +10,21 @@ namespace furrow::planner {
 /// A return problem in plain numbers, cut into legs: one sortie from a return at cell i to the next
 /// at cell j > i, and the service before it. For the inner loops of solvers.
 ///
+/// Over hills a pack feels climbs as longer flight; on level land it feels flight as it is.
 /// The charge that a pack has given is kept as an offset that does not change while spraying: on
 /// landing at cell i, used = offset + landing_s[i]. Whatever cell comes next, leaving i adds
 /// trip_s(i) to the offset, or a fresh pack sets it to fresh_offset_s(i). Offsets are never below
 /// -route_s[i], for a pack has given at least the way home.
 struct Legs {
-  std::uint32_t last;                ///< Index of the last cell.
-  std::vector<double> spray_m;       ///< As in the problem.
-  std::vector<double> route_s;       ///< As `on_route_s` of the problem.
-  std::vector<double> back_s;        ///< Way home from stop i.
-  std::vector<double> leave_s;       ///< Way out to resume i, less the ferry that it replaces.
-  std::vector<double> landing_s;     ///< route_s + back_s.
-  std::vector<std::uint32_t> reach;  ///< Last cell that one tank sprays from cell i.
-  double first_offset_s;             ///< Offset during the first sortie: its way out.
+  std::uint32_t last;           ///< Index of the last cell.
+  std::vector<double> spray_m;  ///< As in the problem.
+  std::vector<double> route_s;  ///< Flight to stop i, as a pack feels it.
+  std::vector<double> back_s;   ///< Way home from stop i.
+  std::vector<double> leave_s;  ///< Way out to resume i, less the ferry that it replaces.
+  std::vector<double> back_pack_s, leave_pack_s;  ///< The same two, as a pack feels them.
+  std::vector<double> landing_s;                  ///< route_s + back_pack_s.
+  std::vector<std::uint32_t> reach;               ///< Last cell that one tank sprays from cell i.
+  double first_offset_s;                          ///< Offset during the first sortie: its way out.
   double tank_m, pack_s;
   double swap_s, fill_base_s, fill_s_per_m;
 
@@ -36,9 +38,9 @@ struct Legs {
   }
   /// What landing at j adds to the non-spray time: nothing at the very end.
   double arrival_s(std::uint32_t j) const { return j == last ? 0.0 : back_s[j]; }
-  /// What a return after cell i adds to flight; may be negative where it replaces a long ferry.
-  double trip_s(std::uint32_t i) const { return back_s[i] + leave_s[i]; }
-  double fresh_offset_s(std::uint32_t i) const { return leave_s[i] - route_s[i]; }
+  /// What a return after cell i takes of a pack; may be negative where it replaces a long ferry.
+  double trip_s(std::uint32_t i) const { return back_pack_s[i] + leave_pack_s[i]; }
+  double fresh_offset_s(std::uint32_t i) const { return leave_pack_s[i] - route_s[i]; }
 };
 
 Legs legs_of(const ReturnProblem& problem);

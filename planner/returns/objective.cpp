@@ -9,9 +9,11 @@ namespace furrow::planner {
 ReturnObjective::ReturnObjective(const ReturnProblem& problem, const ExtraCost& extra)
     : problem_{problem}, extra_{extra}, cost_{problem} {
   // What leaving out one return can save at most.
-  const double furthest_m = *std::max_element(problem.back_m.begin(), problem.back_m.end());
-  infeasible_s_ = 2.0 * furthest_m / problem.vehicle.ferry_speed.base() +
-                  cost_.service_s(cost_.limits().tank_m, true);
+  double furthest_s = 0;
+  for (std::uint32_t i = 0; i <= cost_.last_cell(); ++i) {
+    furthest_s = std::max(furthest_s, problem.back_s(i));
+  }
+  infeasible_s_ = 2.0 * furthest_s + cost_.service_s(cost_.limits().tank_m, true);
 }
 
 double ReturnObjective::operator()(std::span<const std::uint32_t> returns) {

@@ -1,6 +1,85 @@
 #include "planner/returns/problem.hpp"
 
 namespace furrow::planner {
+namespace {
+
+// The route of a share at work height, followed from cell to cell.
+class HillRoute {
+ public:
+  HillRoute(const Route& route, const ReturnProblem& problem, FieldPoint begin)
+      : relief_{*route.ferries.relief()}, vehicle_{problem.vehicle}, at_{begin} {}
+
+  void fly(FieldPoint to, Speed speed) {
+    if (to == at_) return;
+    const FlightCost cost = relief_.cost(at_, relief_.contour(at_, to, speed));
+    time_s_ += cost.time_s;
+    climb_s_ += cost.energy_s - cost.time_s;
+    at_ = to;
+  }
+  void approach(const Strip& strip) {
+    for (const FieldPoint at : strip.approach) fly(at, vehicle_.ferry_speed);
+    fly(strip.begin, vehicle_.ferry_speed);
+  }
+  double time_s() const { return time_s_; }
+  double climb_s() const { return climb_s_; }
+
+ private:
+  const Relief& relief_;
+  const Vehicle& vehicle_;
+  FieldPoint at_;
+  double time_s_ = 0, climb_s_ = 0;
+};
+
+void follow_route(ReturnProblem& problem, const Route& route, const std::vector<CellStop>& stops,
+                  FieldPoint begin) {
+  HillRoute way{route, problem, begin};
+  HillFlights& hills = *problem.hills;
+  std::size_t s = strip_of(route, problem.cells.first);
+  for (std::size_t k = 0; k < stops.size(); ++k) {
+    const auto cell = static_cast<std::uint32_t>(problem.cells.first + k);
+    if (k > 0 && cell == end(route.strips[s].cells)) {
+      const Strip& strip = route.strips[++s];
+      if (!strip.continues) way.approach(strip);
+      if (!(stops[k - 1].resume == stops[k - 1].stop)) {
+        hills.resume_climb_s[k - 1] = way.climb_s();
+        problem.resume_s[k - 1] = way.time_s();
+      }
+    }
+    way.fly(stops[k].stop, problem.vehicle.spray_speed);
+    hills.late_s.push_back(way.time_s() - problem.on_route_s[k]);
+    hills.climb_s.push_back(way.climb_s());
+    problem.on_route_s[k] = problem.resume_s[k] = way.time_s();
+    hills.resume_late_s.push_back(0.0);
+    hills.resume_climb_s.push_back(hills.climb_s.back());
+  }
+}
+
+// Takes the heights of the ground into a problem on level land.
+void add_hills(ReturnProblem& problem, const Route& route, const std::vector<CellStop>& stops,
+               FieldPoint begin) {
+  const Relief& relief = *route.ferries.relief();
+  const Vehicle& v = problem.vehicle;
+  const Length layer = relief.layer_of(v.id);
+  const auto ferry = [&](FieldPoint from, FieldPoint to) {
+    return relief.cost(from, route.ferries.air_way(from, to, v.ferry_speed, layer));
+  };
+  const std::vector<double> level_resume_s = problem.resume_s;
+  problem.hills.emplace();
+  follow_route(problem, route, stops, begin);
+  HillFlights& hills = *problem.hills;
+  const FieldPoint station = problem.station.position;
+  for (const CellStop& at : stops) {
+    hills.back.push_back(ferry(at.stop, station));
+    hills.out.push_back(ferry(station, at.resume));
+  }
+  hills.out[0] = ferry(v.home, begin);
+  for (std::size_t k = 0; k < stops.size(); ++k) {
+    hills.resume_late_s[k] = problem.resume_s[k] - level_resume_s[k];
+  }
+  problem.resume_s[0] = hills.resume_late_s[0] = hills.resume_climb_s[0] = 0.0;
+}
+
+}  // namespace
 
 StationLengths station_lengths(const Route& route, FieldPoint station) {
   StationLengths lengths;
@@ -51,6 +130,7 @@ ReturnProblem return_problem(const Route& route, CellRange cells, const Vehicle&
   const auto stop = static_cast<std::ptrdiff_t>(end(cells));
   problem.back_m.assign(lengths.back_m.begin() + first, lengths.back_m.begin() + stop);
   problem.out_m.assign(lengths.out_m.begin() + first, lengths.out_m.begin() + stop);
+  if (route.ferries.relief() != nullptr) add_hills(problem, route, stops, begin);
   // Where the share ends, nothing follows that a return could lead to.
   problem.out_m.back() = problem.back_m.back();
   problem.resume_m[0] = problem.resume_s[0] = 0.0;

@@ -6,11 +6,20 @@
 #include "core/vehicle.hpp"
 #include "core/work.hpp"
 #include "planner/coverage/route.hpp"
+#include "planner/routes/flight_cost.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace furrow::planner {
+
+/// What ground that is not level makes of the flights of a return problem. Entries as there.
+struct HillFlights {
+  std::vector<FlightCost> back, out;            ///< Ferries; out[0] is the way to the beginning.
+  std::vector<double> late_s, resume_late_s;    ///< On the route so far, beyond level flight.
+  std::vector<double> climb_s, resume_climb_s;  ///< Pack taken on the route so far by climbing.
+};
 
 /// One aircraft, one station, and n cells to spray in order. Arrays have n entries, in metres and
 /// seconds, so that solvers may run over them.
@@ -31,6 +40,25 @@ struct ReturnProblem {
   std::vector<double> out_m;       ///< Ferry way from the station to resume i; [0]: fly_out_m.
   double fly_out_m;                ///< From the aircraft's first position to the beginning.
   std::vector<std::uint32_t> strip_starts;  ///< First cells of strips, rising; [0] = 0.
+  std::optional<HillFlights> hills{};       ///< None on level land. The lengths are in plan.
+
+  /// Flying times of ferries, from stop i and to resume i.
+  double back_s(std::uint32_t i) const {
+    return hills ? hills->back[i].time_s : back_m[i] / vehicle.ferry_speed.base();
+  }
+  double out_s(std::uint32_t i) const {
+    return hills ? hills->out[i].time_s : out_m[i] / vehicle.ferry_speed.base();
+  }
+  /// What the same takes of a pack, and the route to stop i and to resume i, in seconds of level
+  /// flight.
+  double back_pack_s(std::uint32_t i) const { return hills ? hills->back[i].energy_s : back_s(i); }
+  double out_pack_s(std::uint32_t i) const { return hills ? hills->out[i].energy_s : out_s(i); }
+  double route_pack_s(std::uint32_t i) const {
+    return hills ? on_route_s[i] + hills->climb_s[i] : on_route_s[i];
+  }
+  double resume_pack_s(std::uint32_t i) const {
+    return hills ? resume_s[i] + hills->resume_climb_s[i] : resume_s[i];
+  }
 };
 
 /// The cells after which the aircraft returns: indices into the share, strictly rising, the last
@@ -43,7 +71,7 @@ struct PlannedSortie {
   double spray_m;             ///< D_n.
   double fly_out_s, spray_s, fly_back_s;
   std::uint32_t pack;   ///< 1, 2, ...: the battery pack it flies on.
-  double battery_used;  ///< Share of the pack's flight endurance this sortie takes.
+  double battery_used;  ///< Share of the pack this sortie takes.
   /// At the station afterwards; zero after the last sortie.
   double battery_swap_s, fill_s, service_s;
 };

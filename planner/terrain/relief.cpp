@@ -74,18 +74,72 @@ AirWay Relief::ferry(std::span<const WayPoint> way, Speed speed, Length layer) c
     const double length_m = std::hypot(way[k].x_m - way[k - 1].x_m, way[k].y_m - way[k - 1].y_m);
     const int n = pieces(length_m, pitch_m_);
     for (int i = 1; length_m > 0 && i <= n; ++i) {
-      const WayPoint p = between(way[k - 1], way[k], static_cast<double>(i) / n);
+      const WayPoint p = i == n ? way[k] : between(way[k - 1], way[k], static_cast<double>(i) / n);
       gone_m += length_m / n;
       left_m -= length_m / n;
       const double wanted_m = std::min(
           {p.z_m + layer.base(), leaves_m + up * gone_m, arrives_m + down * std::max(0.0, left_m)});
       const double here_m = std::max(wanted_m, work_altitude_m(place(p)));
       const double limit = limit_mps(length_m / n, here_m - before_m, speed.base());
-      made.legs.push_back({place(p), limit, here_m});
+      made.legs.push_back({place(p), limit, here_m, i == n});
       before_m = here_m;
     }
   }
   return made;
+}
+
+// Along the way, each with the clearance over the ground up to halfway to its neighbours.
+std::vector<WayPoint> Relief::samples(std::span<const FieldPoint> way) const {
+  const double kept_m = (rule_.clearance + surface_.error()).base();
+  const auto height_m = [&](double x_m, double y_m) {
+    return surface_.height_m(x_m, y_m) + kept_m;
+  };
+  const FieldPoint start = way.front();
+  std::vector<WayPoint> made{
+      {start.x.base(), start.y.base(), height_m(start.x.base(), start.y.base())}};
+  for (std::size_t k = 1; k < way.size(); ++k) {
+    const WayPoint from = made.back(), to{way[k].x.base(), way[k].y.base(), 0};
+    const int n = pieces(distance(way[k - 1], way[k]).base(), pitch_m_);
+    for (int i = 1; i <= n; ++i) {
+      WayPoint p = i == n ? to : between(from, to, static_cast<double>(i) / n);
+      const WayPoint middle = between(made.back(), p, 0.5);
+      const double middle_m = height_m(middle.x_m, middle.y_m);
+      p.z_m = std::max(height_m(p.x_m, p.y_m), middle_m);
+      made.back().z_m = std::max(made.back().z_m, middle_m);
+      made.push_back(p);
+    }
+  }
+  return made;
+}
+
+AirWay Relief::ferry(std::span<const FieldPoint> way, Speed speed, Length layer) const {
+  require(way.size() >= 2, "a ferry has two ends");
+  std::vector<WayPoint> over = samples(way);
+  const double up = rule_.climb / speed, down = rule_.descent / speed;
+  const auto run_m = [](WayPoint a, WayPoint b) {
+    return std::hypot(b.x_m - a.x_m, b.y_m - a.y_m);
+  };
+  for (std::size_t k = over.size() - 1; k > 0; --k) {
+    over[k - 1].z_m = std::max(over[k - 1].z_m, over[k].z_m - up * run_m(over[k - 1], over[k]));
+  }
+  for (std::size_t k = 1; k < over.size(); ++k) {
+    over[k].z_m = std::max(over[k].z_m, over[k - 1].z_m - down * run_m(over[k - 1], over[k]));
+  }
+  AirWay made = ferry(std::span<const WayPoint>{over}, speed, layer);
+  std::size_t next = 1;
+  for (AirLeg& leg : made.legs) {
+    leg.bends = next < way.size() && leg.to == way[next];
+    if (leg.bends) ++next;
+  }
+  return made;
+}
+
+double Relief::highest_ferry_m() const {
+  const std::vector<float>& heights = surface_.raster().heights_m;
+  const double highest_m = *std::max_element(heights.begin(), heights.end());
+  const Length layers = (rule_.layers - 1.0) * rule_.layer;
+  const Length kept = std::max(rule_.clearance + surface_.error() + layers, rule_.spray_height);
+  return highest_m + kept.base();
 }
 
 Length Relief::layer_of(AgentId agent) const {

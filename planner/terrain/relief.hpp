@@ -35,8 +35,9 @@ struct TerrainModel {
 /// A piece of a way with its height: straight from where the piece before ended.
 struct AirLeg {
   FieldPoint to;
-  double limit_mps;   ///< Speed over the ground at which climb and descent are kept.
-  double altitude_m;  ///< At its end, above the datum.
+  double limit_mps;    ///< Speed over the ground at which climb and descent are kept.
+  double altitude_m;   ///< At its end, above the datum.
+  bool bends = false;  ///< Whether it ends at a way point, where the way may turn.
 };
 
 /// Pieces of a way, from `altitude_m` on.
@@ -67,6 +68,14 @@ class Relief {
   /// @param way  From where it starts to where it ends, two or more.
   AirWay ferry(std::span<const WayPoint> way, Speed speed, Length layer) const;
 
+  /// The lowest ferry along `way` that keeps the clearance wherever it has climbed out and not yet
+  /// begun to come down, without climbing or descending faster than the rule says at `speed`.
+  /// @param way  In plan, from where it starts to where it ends, two or more.
+  AirWay ferry(std::span<const FieldPoint> way, Speed speed, Length layer) const;
+
+  /// The highest that any ferry flies.
+  double highest_ferry_m() const;
+
   /// The ferry height of an aircraft above that of the lowest layer.
   Length layer_of(AgentId agent) const;
 
@@ -81,6 +90,7 @@ class Relief {
 
  private:
   double limit_mps(double run_m, double rise_m, double speed_mps) const;
+  std::vector<WayPoint> samples(std::span<const FieldPoint> way) const;
 
   Surface surface_;
   HeightRule rule_;

@@ -163,5 +163,85 @@ TEST_CASE("plan_fleet: says which aircraft cannot fly the plan", "[scheduler]") 
   CHECK(reach.error().fault == PlanFault::out_of_reach);
 }
 
+planner::TerrainModel hill(FieldPoint top, double height_m) {
+  planner::AnalyticTerrain ground{.base = {},
+                                  .peaks = {{top, metres(height_m), metres(60), metres(60)}}};
+  return {.ground = ground, .rule = {}, .keep_out = {}};
+}
+
+TEST_CASE("plan fleet: over a hill the same sorties take longer, and more of the packs",
+          "[scheduler]") {
+  FleetProblem p = problem(60, 200, 1);
+  p.solver.returns = ReturnStrategy::exact;
+  const auto level = plan_fleet(p);
+  p.terrain = hill(at_m(30, 100), 40);
+  const auto hilly = plan_fleet(p);
+  REQUIRE(level);
+  REQUIRE(hilly);
+  CHECK(hilly->makespan_s > level->makespan_s);
+  CHECK(hilly->lower_bound_s <= hilly->makespan_s);
+  const auto used = [](const FleetPlan& plan) {
+    double sum = 0;
+    for (const auto& sortie : plan.uavs[0].solution.plan.sorties) sum += sortie.battery_used;
+    return sum;
+  };
+  CHECK(used(*hilly) > used(*level));
+  CHECK(hilly->route.ferries.relief() != nullptr);
+}
+
+TEST_CASE("plan fleet: level ground by formula costs the climb to the clearance alone",
+          "[scheduler]") {
+  FleetProblem p = problem(40, 100, 1);
+  p.solver.returns = ReturnStrategy::exact;
+  const auto level = plan_fleet(p);
+  p.terrain = hill(at_m(5000, 5000), 40);  // beyond the horizon
+  const auto flat = plan_fleet(p);
+  REQUIRE(level);
+  REQUIRE(flat);
+  CHECK(flat->makespan_s == Approx(level->makespan_s));
+  const auto& a = level->uavs[0].solution.plan;
+  const auto& b = flat->uavs[0].solution.plan;
+  CHECK(a.returns == b.returns);
+  CHECK(b.sorties.front().battery_used > a.sorties.front().battery_used);
+}
+
+TEST_CASE("plan fleet: a ceiling under the ferries and a volume over the field are refused",
+          "[scheduler]") {
+  FleetProblem p = problem(60, 200, 1);
+  p.terrain = hill(at_m(30, 100), 40);
+  p.terrain->rule.ceiling = metres(50);  // 40 m of hill and 15 m of clearance
+  const auto low = plan_fleet(p);
+  REQUIRE(!low);
+  CHECK(low.error().fault == PlanFault::out_of_reach);
+  p.terrain->rule.ceiling = metres(60);
+  CHECK(plan_fleet(p));
+  p.terrain->keep_out = {{.x_m = 65, .y_m = 100, .radius_m = 6}};
+  const auto kept_out = plan_fleet(p);
+  REQUIRE(!kept_out);
+  CHECK(kept_out.error().detail ==
+        "the keep-out volume at (65.000, 100.000) m reaches over the field");
+}
+
+TEST_CASE("plan fleet: ferries lead around a keep-out volume between station and field",
+          "[scheduler]") {
+  FleetProblem p = problem(200, 100, 1);
+  p.stations[0].position = p.vehicles[0].home = at_m(100, -80);
+  p.terrain = hill(at_m(5000, 5000), 40);
+  p.terrain->keep_out = {{.x_m = 100, .y_m = -40, .radius_m = 20}};
+  const auto map = ferry_map(p);
+  REQUIRE(map);
+  const auto way = map->way(at_m(100, -80), at_m(100, 50));
+  double length_m = 0;
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    for (double t = 0; t <= 1; t += 0.01) {
+      const FieldVector leg = way[i] - way[i - 1];
+      const FieldPoint at = way[i - 1] + FieldVector{t * leg.x, t * leg.y};
+      CHECK(distance(at, at_m(100, -40)).base() >= 20);
+    }
+    length_m += distance(way[i - 1], way[i]).base();
+  }
+  CHECK(length_m > 130);
+}
+
 }  // namespace
 }  // namespace furrow::scheduler

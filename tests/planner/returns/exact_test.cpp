@@ -85,6 +85,30 @@ ReturnProblem random_ends_problem(std::uint64_t seed) {
   return p;
 }
 
+// Like the above on ground that is not level: any flight may take longer, and more of a pack.
+ReturnProblem random_hill_problem(std::uint64_t seed) {
+  ReturnProblem p = random_ends_problem(seed);
+  Random random{seed_for(seed, {2})};
+  HillFlights hills;
+  double late_s = 0, climb_s = 0;
+  for (std::uint32_t i = 0; i < p.cells.count; ++i) {
+    const double back_s = p.back_s(i) + random.uniform(0, 1), out_s = p.out_s(i);
+    hills.back.push_back({back_s, back_s + random.uniform(0, 1)});
+    hills.out.push_back({out_s, out_s + random.uniform(0, 1)});
+    late_s += random.uniform(0, 0.3);
+    climb_s += random.uniform(0, 0.3);
+    hills.late_s.push_back(late_s);
+    hills.climb_s.push_back(climb_s);
+    p.on_route_s[i] += late_s;
+    if (i > 0) p.resume_s[i] += late_s;
+  }
+  hills.resume_late_s = hills.late_s;
+  hills.resume_climb_s = hills.climb_s;
+  hills.resume_late_s[0] = hills.resume_climb_s[0] = 0;
+  p.hills = hills;
+  return p;
+}
+
 // The least non-spray time over every set of return points; infinite if none is feasible.
 double brute_force_s(const ReturnProblem& p) {
   const auto inner = static_cast<std::uint32_t>(p.spray_m.size() - 2);
@@ -101,7 +125,7 @@ double brute_force_s(const ReturnProblem& p) {
 }
 
 TEST_CASE("exact: agrees with trying every set of return points", "[planner]") {
-  const auto random = GENERATE(&random_problem, &random_ends_problem);
+  const auto random = GENERATE(&random_problem, &random_ends_problem, &random_hill_problem);
   int solved = 0;
   for (std::uint64_t seed = 1; seed <= 600; ++seed) {
     CAPTURE(seed);

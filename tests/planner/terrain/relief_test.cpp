@@ -82,5 +82,30 @@ TEST_CASE("No ferry is under work height, whatever its way says") {
   CHECK(relief.cost(at_m(0, 0), air).time_s > 400 / 6.0);
 }
 
+TEST_CASE("A ferry in plan keeps its clearance but near its ends, and climbs in time") {
+  const AnalyticTerrain hill{.base = {},
+                             .peaks = {{at_m(300, 0), metres(40), metres(80), metres(80)}}};
+  const Relief relief{{.ground = hill, .rule = rule}, {at_m(-50, -200), at_m(650, 200)}};
+  const std::vector<FieldPoint> way{at_m(0, 0), at_m(300, 0), at_m(600, 0)};
+  const AirWay air = relief.ferry(way, metres_per_second(6), metres(5));
+  // 3 m/s up and 2 m/s down at 6 m/s: a half and a third of a metre per metre.
+  double before_m = air.altitude_m, before_x = 0;
+  int bends = 0;
+  for (const AirLeg& leg : air.legs) {
+    const double x = leg.to.x.base(), ground_m = height(hill, leg.to).base();
+    const double kept_m = std::min({20.0, 3 + x / 2, 3 + (600 - x) / 3});
+    CHECK(leg.altitude_m >= ground_m + kept_m - 1e-3 * x);
+    CHECK(leg.altitude_m - before_m <= (x - before_x) / 2 + 1e-6);
+    CHECK(before_m - leg.altitude_m <= (x - before_x) / 3 + 1e-6);
+    CHECK(leg.limit_mps == Approx(6));
+    CHECK(leg.altitude_m <= relief.highest_ferry_m() + 1e-6);
+    bends += leg.bends;
+    before_m = leg.altitude_m;
+    before_x = x;
+  }
+  CHECK(bends == 2);
+  CHECK(before_m == Approx(relief.work_altitude_m(way.back())));
+}
+
 }  // namespace
 }  // namespace furrow::planner
