@@ -3,6 +3,7 @@
 #include "core/require.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <geos_c.h>
 #include <memory>
@@ -99,6 +100,23 @@ class Session {
 // now and then loses a row. A thousand of these steps are a tenth of a millimetre.
 constexpr double overlay_grid_m = 1e-7;
 
+struct Extent {
+  PointM low, high;
+};
+
+Extent extent_of(const LandPart& part) {
+  Extent made{{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
+  for (const PointM p : part.outer) {
+    made.low = {std::min(made.low.x, p.x), std::min(made.low.y, p.y)};
+    made.high = {std::max(made.high.x, p.x), std::max(made.high.y, p.y)};
+  }
+  return made;
+}
+
+bool overlap(const Extent& a, const Extent& b) {
+  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
+}
+
 }  // namespace
 
 std::optional<Defect> defect_in(const LandPart& part) {
@@ -140,12 +158,24 @@ LandParts united(const LandParts& parts) {
 }
 
 LandParts subtracted(const LandParts& land, const LandParts& taken) {
+  std::vector<Extent> of_taken;
+  of_taken.reserve(taken.size());
+  for (const LandPart& part : taken) of_taken.push_back(extent_of(part));
+  LandParts touched, made;
+  for (const LandPart& part : land) {
+    const Extent own = extent_of(part);
+    const bool meets = std::any_of(of_taken.begin(), of_taken.end(),
+                                   [&](const Extent& other) { return overlap(own, other); });
+    (meets ? touched : made).push_back(part);
+  }
+  if (touched.empty()) return made;
   const Session geos;
-  const auto a = geos.polygons(land);
+  const auto a = geos.polygons(touched);
   const auto b = geos.polygons(taken);
-  const auto made =
+  const auto left =
       geos.owned(GEOSDifferencePrec_r(geos.context(), a.get(), b.get(), overlay_grid_m));
-  return geos.parts_of(made.get());
+  for (LandPart& part : geos.parts_of(left.get())) made.push_back(std::move(part));
+  return made;
 }
 
 LandParts offset(const LandParts& land, double distance_m) {
