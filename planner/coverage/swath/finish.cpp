@@ -14,11 +14,11 @@ double missed_m2(const StripOrder& order, const LandParts& land) {
   return area_m2(missed_land(runs_of(order.strips), land));
 }
 
-// Joins corners; strips are shortened for it only as far as no more than `spare_m2` is missed.
-void join(StripOrder& order, const EdgeGrid& edges, const LandParts& land, double spare_m2) {
+// Joins corners; strips are shortened for it only as far as no more than `may_miss_m2` is missed.
+void join(StripOrder& order, const EdgeGrid& edges, const LandParts& land, double may_miss_m2) {
   StripOrder joined = order;
   const bool shortened = join_corners(joined, edges, Shortening::allowed);
-  if (shortened && missed_m2(joined, land) > std::max(spare_m2, missed_m2(order, land))) {
+  if (shortened && missed_m2(joined, land) > may_miss_m2) {
     joined = std::move(order);
     join_corners(joined, edges, Shortening::refused);
   }
@@ -33,7 +33,7 @@ void cover_edges(PartPlan& plan, const LandPart& flight, const LandParts& land,
   plan.groups.insert(plan.groups.end(), more.groups.begin(), more.groups.end());
   if (!more.groups.empty()) put_in_order(plan, flight, paths, rule);
   plan.missed_m2 = more.missed_m2;
-  join(plan.order, paths.edges(), land, s.miss_tolerance * area_m2(land));
+  join(plan.order, paths.edges(), land, std::max(plan.missed_m2, s.miss_tolerance * area_m2(land)));
 }
 
 }  // namespace

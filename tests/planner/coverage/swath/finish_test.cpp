@@ -19,7 +19,7 @@ Field rectangle(double wide_m, double high_m) {
 }  // namespace
 
 TEST_CASE("rows of a rectangle run along one of its edges, whatever its sides measure") {
-  for (const auto [wide_m, high_m] : {std::pair{137.0, 111.0}, {100.0, 100.0}, {61.3, 40.7}}) {
+  for (const auto& [wide_m, high_m] : {std::pair{137.0, 111.0}, {100.0, 100.0}, {61.3, 40.7}}) {
     const auto c = swath_coverage(rectangle(wide_m, high_m), metres(2), {});
     REQUIRE(c);
     INFO(wide_m << " x " << high_m << " m, rows at " << c->direction_deg);
