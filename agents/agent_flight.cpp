@@ -26,13 +26,20 @@ void AgentNode::fly_one_period(Instant t) {
   last_tick_ = t;
   truth_before_m_ = aircraft_.truth_m();
   aircraft_.fly(stop_m_);
+  if (!route_->heights.is_level()) keep_height();
   if (route_piece_ < route_->pieces.size()) work(t);
-  if (t == on_grid(t, whole_second)) log_.point(t, aircraft_.truth_m(), is_valve_open_);
+  if (t == on_grid(t, whole_second))
+    log_.point(t, aircraft_.truth_m(), aircraft_.altitude_m(), is_valve_open_);
   if (aircraft_.stores.pack_share <= 0.0) return fall(t);
   if (phase_ != Phase::fly_back) watch_stores(t);
   // What blew it off its line may not let it hover either.
   const bool has_braked = is_astray_ && aircraft_.pilot().pace().is_at_rest();
   if (aircraft_.is_at_rest(stop_m_) || has_braked) come_to_rest(t);
+}
+
+void AgentNode::keep_height() {
+  const double wanted_m = route_->heights.altitude_m(aircraft_.along_m());
+  climb_s_ += aircraft_.climb_to(wanted_m, settings_.ferries.relief()->rule());
 }
 
 // Sprays what lies between the last position along the path and this one.
@@ -133,7 +140,7 @@ void AgentNode::move_valve(bool open, Instant t, double share_of_period) {
   const double left = 1.0 - share_of_period;
   const Xy now_m = aircraft_.truth_m();
   log_.point(t - duration(seconds(left * control_period_s)),
-             now_m + left * (truth_before_m_ - now_m), open);
+             now_m + left * (truth_before_m_ - now_m), aircraft_.altitude_m(), open);
 }
 
 // Sprayed is what lies within half a swath of the line: beyond it the mix falls on other strips.
@@ -189,12 +196,21 @@ bool AgentNode::reaches_home() {
     return aircraft_.stores.flight_left_s(vehicle_) >= need_s;
   };
   if (way_home_ && way_home_->station == home_.id &&
-      suffices(way_home_->length_m + norm(here - way_home_->from))) {
+      suffices(way_home_->length_m + detour_factor() * norm(here - way_home_->from))) {
     return true;
   }
-  const Length length = settings_.ferries.length(field_point(here), home_.position);
-  way_home_ = {home_.id, here, length.base()};
+  way_home_ = {home_.id, here,
+               ferry_pack_m(field_point(here), home_.position, vehicle_, settings_.ferries)};
   return suffices(way_home_->length_m);
+}
+
+// What a metre away from where the way home was looked up may add to it.
+double AgentNode::detour_factor() const {
+  const planner::Relief* relief = settings_.ferries.relief();
+  if (relief == nullptr) return 1.0;
+  constexpr double steepest = 1.0;
+  return 1.0 / relief->rule().slowest +
+         steepest * relief->rule().climb_energy_s_per_m * vehicle_.ferry_speed.base();
 }
 
 void AgentNode::leave(CloseReason reason, Instant t) {

@@ -116,7 +116,10 @@ AgentNode::Demand AgentNode::demand() const {
 
   const double tank = aircraft_.stores.tank_share;
   const double share = std::min(1.0, route.spray_m / tank_range(vehicle_).base());
-  const double time_s = forecast_factor * route.path.duration_s() + forecast_slack_s;
+  double time_s = forecast_factor * route.path.duration_s() + forecast_slack_s;
+  if (const planner::Relief* relief = settings_.ferries.relief()) {
+    time_s += relief->rule().climb_energy_s_per_m * route.heights.climb_m();
+  }
   const double fill = std::max(0.0, share - tank);
   return {.swap = aircraft_.stores.pack_share < 1.0 &&
                   aircraft_.stores.flight_left_s(vehicle_) < time_s,
@@ -158,8 +161,8 @@ void AgentNode::try_take_off(Instant t) {
   home_ = station(order_->station());
   const FieldPoint here = field_point(aircraft_.estimate_m()), entry = rest.front().entry;
   const double there_and_back_s =
-      straight_way_s(settings_.ferries.length(here, entry).base(), vehicle_) +
-      straight_way_s(settings_.ferries.length(entry, home_.position).base(), vehicle_);
+      straight_way_s(ferry_pack_m(here, entry, vehicle_, settings_.ferries), vehicle_) +
+      straight_way_s(ferry_pack_m(entry, home_.position, vehicle_, settings_.ferries), vehicle_);
   if (there_and_back_s + forecast_slack_s > aircraft_.stores.flight_left_s(vehicle_)) {
     ledger_.close_all(CloseReason::battery_low, t);
     send_report(t);
@@ -182,12 +185,13 @@ void AgentNode::take_off(SortieRoute route, Instant t) {
   sortie_.began = last_tick_;
   has_unreported_sortie_ = true;
 
-  flown_m_ = 0.0;
+  flown_m_ = climb_s_ = 0.0;
   route_.reset();
   aircraft_.take_off();
+  aircraft_.start_at(route.heights.altitude_m(0.0));
   follow(std::move(route));
   phase_ = Phase::fly_out;
-  log_.point(last_tick_, aircraft_.truth_m(), false);
+  log_.point(last_tick_, aircraft_.truth_m(), aircraft_.altitude_m(), false);
   if (!is_running_) acknowledge(AckStatus::running);
   is_running_ = true;
   note("sortie_begun", "takes off for sortie " + std::to_string(sortie_.sortie + 1) + ", " +
@@ -197,11 +201,12 @@ void AgentNode::take_off(SortieRoute route, Instant t) {
 
 void AgentNode::land(Instant t) {
   aircraft_.land();
-  if (t != on_grid(t, whole_second)) log_.point(t, aircraft_.truth_m(), false);
+  if (t != on_grid(t, whole_second))
+    log_.point(t, aircraft_.truth_m(), aircraft_.altitude_m(), false);
   flush_flight_log();
   sortie_.landed = t;
   sortie_.flight = seconds(t - sortie_.began);
-  sortie_.battery_used = sortie_.flight / vehicle_.flight_endurance;
+  sortie_.battery_used = (sortie_.flight + seconds(climb_s_)) / vehicle_.flight_endurance;
   sortie_.ferried = metres(flown_m_ + aircraft_.pilot().pace().along_m()) - sortie_.sprayed;
   if (order_->is_finished()) return finish(t);
   if (is_unfit_) return leave_fleet(t);
@@ -222,7 +227,7 @@ void AgentNode::leave_fleet(Instant t) {
 // may be made to wait for this aircraft.
 void AgentNode::fall(Instant t) {
   is_valve_open_ = false;
-  log_.point(t, aircraft_.truth_m(), false);
+  log_.point(t, aircraft_.truth_m(), aircraft_.altitude_m(), false);
   aircraft_.land();
   flush_flight_log();
   ledger_.close_all(CloseReason::battery_low, t);

@@ -57,6 +57,8 @@ class AgentNode {
   void return_to_line(Instant t);
   void watch_stores(Instant t);
   bool reaches_home();
+  double detour_factor() const;
+  void keep_height();
   void leave(CloseReason reason, Instant t);
   double leaving_stop_m() const;
   void come_to_rest(Instant t);
@@ -115,10 +117,11 @@ class AgentNode {
   std::uint32_t route_cell_ = 0;  // in the piece
   double next_cell_m_ = 0.0, progress_m_ = 0.0, stop_m_ = 0.0, spray_left_m_ = 0.0;
   double flown_m_ = 0.0;  // on earlier routes of this sortie
+  double climb_s_ = 0.0;  // of the pack, by this sortie's climbs
   struct WayHome {
     StationId station;
     Xy from;
-    double length_m;
+    double length_m;  // of level flight
   };
   std::optional<WayHome> way_home_;  // as last looked up
   bool is_valve_open_ = false;

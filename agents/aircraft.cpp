@@ -85,6 +85,17 @@ void Aircraft::fly(double stop_m) {
   stores.fly(vehicle_, control_period_s);
 }
 
+double Aircraft::climb_to(double altitude_m, const planner::HeightRule& rule) {
+  constexpr double in_hand = 1.2;
+  const double most_m = in_hand * control_period_s * rule.climb.base();
+  const double least_m = -in_hand * control_period_s * rule.descent.base();
+  const double rise_m = std::clamp(altitude_m - altitude_m_, least_m, most_m);
+  altitude_m_ += rise_m;
+  const double level_s = rule.climb_energy_s_per_m * std::max(0.0, rise_m);
+  stores.climb(vehicle_, level_s);
+  return level_s;
+}
+
 bool Aircraft::is_at_rest(double stop_m) const {
   constexpr double reached_m = 0.01, settled_m = 0.5, settled_mps = 0.5;
   const Pace& pace = pilot_.pace();

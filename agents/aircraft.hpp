@@ -41,6 +41,17 @@ class Aircraft {
   /// One control period in the air, to stop at `stop_m` along the path at the latest.
   void fly(double stop_m);
 
+  /// One control period towards a height, as fast as `rule` lets it climb or descend, with a fifth
+  /// in hand against gusts. Takes what climbing takes from the pack.
+  /// @return  That, in seconds of level flight.
+  double climb_to(double altitude_m, const planner::HeightRule& rule);
+
+  /// Is at a height at once: where it takes off.
+  void start_at(double altitude_m) { altitude_m_ = altitude_m; }
+
+  /// Above the datum; 0 over level land.
+  double altitude_m() const { return altitude_m_; }
+
   /// How far along its path it takes itself to be [m].
   double along_m() const { return pilot_.deviation_now().along_m; }
   /// Whether it hovers at `stop_m` or at the end of its path.
@@ -63,6 +74,7 @@ class Aircraft {
   Pilot pilot_;
   Xy fix_;
   Xy wind_estimate_;
+  double altitude_m_ = 0.0;
 };
 
 }  // namespace furrow::agents

@@ -213,6 +213,7 @@ struct TrackPoint {
   Instant at;
   FieldPoint position;
   bool spraying;
+  double altitude_m = 0.0;  ///< Above the datum; 0 over level land.
 };
 
 /// What a simulated aircraft alone can tell: where it truly was. No node acts on it; recorders do.

@@ -279,6 +279,7 @@ void fields(D& d, Seen<D, FlightRecord>& m, fleet::v1::FlightRecord& w) {
     s(point.at, p.at_ns());
     fields(s, point.position, p.position());
     s(point.spraying, p.spraying());
+    s(point.altitude_m, p.altitude_m());
   });
 }
 

@@ -26,9 +26,12 @@ void add(FlightRecord::Deviation& sum, double cross_m) {
 
 }  // namespace
 
-void FlightLog::point(Instant at, Xy truth_m, bool is_spraying) {
+void FlightLog::point(Instant at, Xy truth_m, double altitude_m, bool is_spraying) {
   if (!record_.track.empty() && record_.track.back().at == at) record_.track.pop_back();
-  record_.track.push_back({.at = at, .position = field_point(truth_m), .spraying = is_spraying});
+  record_.track.push_back({.at = at,
+                           .position = field_point(truth_m),
+                           .spraying = is_spraying,
+                           .altitude_m = altitude_m});
 }
 
 void FlightLog::sample(const Piece& strip, const Aircraft& aircraft) {

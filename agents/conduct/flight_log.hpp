@@ -11,7 +11,7 @@ class FlightLog {
   explicit FlightLog(AgentId agent) { record_.agent = agent; }
 
   /// A later word on the same instant replaces the earlier.
-  void point(Instant at, Xy truth_m, bool is_spraying);
+  void point(Instant at, Xy truth_m, double altitude_m, bool is_spraying);
   /// A control period on a strip with the valve open.
   void sample(const Piece& strip, const Aircraft& aircraft);
   /// A cell passed with the valve open, in order of the route.

@@ -12,6 +12,58 @@ double spacing(const Piece& piece) {
                                : distance(piece.from, piece.to).base() / (piece.cells.count - 1);
 }
 
+// Lays the legs of a route, over terrain with heights.
+class Laying {
+ public:
+  Laying(SortieRoute& route, Xy from_m, const Vehicle& vehicle, const planner::FerryMap& ferries)
+      : route_{route}, vehicle_{vehicle}, ferries_{ferries}, at_{field_point(from_m)} {}
+
+  /// Each returns where along the legs it ends [m].
+  double work(FieldPoint to, Speed speed, Corner corner = Corner::cut) {
+    const planner::Relief* relief = ferries_.relief();
+    if (relief == nullptr) return straight(to, speed.base(), corner);
+    return over(relief->contour(at_, to, speed), corner);
+  }
+  double ferry(FieldPoint to, Corner corner = Corner::cut) {
+    const Speed speed = vehicle_.ferry_speed;
+    if (const planner::Relief* relief = ferries_.relief()) {
+      return over(ferries_.air_way(at_, to, speed, relief->layer_of(vehicle_.id)), corner);
+    }
+    const std::vector<FieldPoint> way = ferries_.way(at_, to);
+    for (std::size_t i = 1; i + 1 < way.size(); ++i) straight(way[i], speed.base(), Corner::cut);
+    return straight(to, speed.base(), corner);
+  }
+
+ private:
+  double straight(FieldPoint to, double limit_mps, Corner corner) {
+    at_ = to;
+    return leg_m_ = route_.path.add(xy_m(to), limit_mps, corner);
+  }
+
+  // Pieces of one speed in a row are one leg.
+  double over(const planner::AirWay& air, Corner corner) {
+    route_.heights.mark(leg_m_, air.altitude_m);
+    for (std::size_t i = 0; i < air.legs.size(); ++i) {
+      const planner::AirLeg& leg = air.legs[i];
+      const bool is_last = i + 1 == air.legs.size();
+      const bool goes_on = !is_last && !leg.bends && air.legs[i + 1].limit_mps == leg.limit_mps;
+      if (goes_on) {
+        route_.heights.mark(leg_m_ + distance(at_, leg.to).base(), leg.altitude_m);
+      } else {
+        straight(leg.to, leg.limit_mps, is_last ? corner : Corner::cut);
+        route_.heights.mark(leg_m_, leg.altitude_m);
+      }
+    }
+    return leg_m_;
+  }
+
+  SortieRoute& route_;
+  const Vehicle& vehicle_;
+  const planner::FerryMap& ferries_;
+  FieldPoint at_;
+  double leg_m_ = 0.0;
+};
+
 }  // namespace
 
 double SortieRoute::cell_m(std::size_t piece, std::uint32_t index) const {
@@ -21,18 +73,13 @@ double SortieRoute::cell_m(std::size_t piece, std::uint32_t index) const {
 
 SortieRoute sortie_route(Xy from_m, std::span<const Piece> pieces, Xy to_m, const Vehicle& v,
                          const planner::FerryMap& ferries) {
-  const double ferry = v.ferry_speed.base(), spray = v.spray_speed.base();
   SortieRoute route{.path = Path{from_m,
                                  {.acceleration_mps2 = planned_acceleration_mps2(v),
                                   .corner_cut_m = 0.5 * v.swath.base(),
                                   .min_radius_m = v.min_turn_radius.base()}},
                     .pieces = {},
                     .spray_m = 0.0};
-  const auto ferry_to = [&](FieldPoint from, FieldPoint to) {
-    const std::vector<FieldPoint> way = ferries.way(from, to);
-    for (std::size_t i = 1; i + 1 < way.size(); ++i) route.path.add(xy_m(way[i]), ferry);
-  };
-  if (!pieces.empty()) ferry_to(field_point(from_m), pieces.front().entry);
+  Laying lay{route, from_m, v, ferries};
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const Piece& piece = pieces[i];
     const bool to_its_end = !(piece.exit == piece.to);
@@ -45,23 +92,24 @@ SortieRoute sortie_route(Xy from_m, std::span<const Piece> pieces, Xy to_m, cons
       return !to_its_end ? Corner::cut : open ? Corner::held : Corner::stop;
     };
     if (i > 0) {
-      for (const FieldPoint at : piece.approach) route.path.add(xy_m(at), ferry, Corner::held);
+      for (const FieldPoint at : piece.approach) lay.work(at, v.ferry_speed, Corner::held);
     }
-    const double open =
-        route.path.add(xy_m(piece.entry), continues ? spray : ferry, corner(continues));
+    const Speed speed = continues ? v.spray_speed : v.ferry_speed;
+    const double open = i == 0 ? lay.ferry(piece.entry, corner(false))
+                               : lay.work(piece.entry, speed, corner(continues));
     if (!to_its_end) {
-      const double from = route.path.add(xy_m(piece.from), spray);
-      const double close = route.path.add(xy_m(piece.to), spray);
+      const double from = lay.work(piece.from, v.spray_speed);
+      const double close = lay.work(piece.to, v.spray_speed);
       route.pieces.push_back({piece, open, close, from, spacing(piece), 0.0});
     } else {  // one straight leg
       const double from = open + distance(piece.entry, piece.from).base();
-      const double close = route.path.add(xy_m(piece.exit), spray, corner(goes_on));
+      const double close = lay.work(piece.exit, v.spray_speed, corner(goes_on));
       route.pieces.push_back({piece, open, close, from, spacing(piece), 0.0});
     }
   }
-  ferry_to(pieces.empty() ? field_point(from_m) : pieces.back().exit, field_point(to_m));
-  route.path.add(to_m, ferry);
+  lay.ferry(field_point(to_m));
   route.path.finish();
+  route.heights.move([&](double leg_m) { return route.path.along_m(leg_m); });
   for (PieceOnPath& p : route.pieces) {  // known only now that corners are cut
     p.open_m = route.path.along_m(p.open_m);
     p.close_m = route.path.along_m(p.close_m);
@@ -69,6 +117,14 @@ SortieRoute sortie_route(Xy from_m, std::span<const Piece> pieces, Xy to_m, cons
     route.spray_m += p.close_m - p.open_m;
   }
   return route;
+}
+
+double ferry_pack_m(FieldPoint from, FieldPoint to, const Vehicle& v,
+                    const planner::FerryMap& ferries) {
+  const planner::Relief* relief = ferries.relief();
+  if (relief == nullptr) return ferries.length(from, to).base();
+  const auto air = ferries.air_way(from, to, v.ferry_speed, relief->layer_of(v.id));
+  return relief->cost(from, air).energy_s * v.ferry_speed.base();
 }
 
 double straight_way_s(double length_m, const Vehicle& v) {

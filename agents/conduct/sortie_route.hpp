@@ -1,5 +1,6 @@
 #pragma once
 
+#include "agents/guidance/height_profile.hpp"
 #include "agents/guidance/path.hpp"
 #include "core/vehicle.hpp"
 #include "core/work.hpp"
@@ -25,7 +26,8 @@ struct PieceOnPath {
 struct SortieRoute {
   Path path;
   std::vector<PieceOnPath> pieces;
-  double spray_m;  ///< Valve open.
+  double spray_m;           ///< Valve open.
+  HeightProfile heights{};  ///< Over terrain, along the path.
 
   /// Where along the path cell `index` of piece `piece` has its centre [m].
   double cell_m(std::size_t piece, std::uint32_t index) const;
@@ -38,8 +40,15 @@ struct SortieRoute {
 /// and nowhere else. Where that would cost land or leave it, they are not: a piece sprayed from end
 /// to end begins and ends at a stop, and way points of approaches, which bend around edges, are
 /// held.
+///
+/// Over terrain the route keeps work height on pieces and between them, ferries as
+/// planner::Relief::ferry says, and is flown no faster than its slopes allow.
 SortieRoute sortie_route(Xy from_m, std::span<const Piece> pieces, Xy to_m, const Vehicle& vehicle,
                          const planner::FerryMap& ferries);
+
+/// What a ferry takes of a pack, in metres of level flight at ferry speed; without braking.
+double ferry_pack_m(FieldPoint from, FieldPoint to, const Vehicle& vehicle,
+                    const planner::FerryMap& ferries);
 
 /// Time for a straight way from rest to rest at ferry speed [s].
 double straight_way_s(double length_m, const Vehicle& vehicle);

@@ -6,7 +6,7 @@
 namespace furrow::agents {
 
 /// A multirotor as a point that thrust accelerates and moving air drags along. It flies in any
-/// direction, whichever way it looks. Height is not modelled: take-off and landing take no time.
+/// direction, whichever way it looks. In plan: take-off and landing take no time.
 class Airframe {
  public:
   explicit Airframe(const Vehicle& vehicle);

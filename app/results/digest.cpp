@@ -52,7 +52,10 @@ class Hash {
   void operator()(const GrantWindow& w) { all(w.id, w.cells); }
   void operator()(const Closure& c) { all(c.grant, c.cells, c.sprayed, c.reason, c.at); }
   void operator()(const BayState& b) { all(b.bay, b.occupied, b.agent, b.token, b.ready); }
-  void operator()(const TrackPoint& p) { all(p.at, p.position, p.spraying); }
+  void operator()(const TrackPoint& p) {
+    all(p.at, p.position, p.spraying);
+    if (p.altitude_m != 0) all(p.altitude_m);
+  }
   void operator()(const FlightRecord::Deviation& d) {
     all(std::uint64_t{d.samples}, d.sum_squares, d.largest);
   }

@@ -16,6 +16,9 @@
 //              negative" has nothing to judge
 // Clear    L22 flown tracks keep nine tenths of the safety distance from obstacles that the plan
 //              flies around, less the bias of the aircraft's fixes
+//          L23 over terrain, flown tracks are never more than 1 m below work height; and on ways
+//              from and to stations never more than 1 m below the clearance, but near their ends,
+//              where they climb out and come down
 // Senders  L21 nobody unknown is spoken of: the other laws go on without what such messages say
 // Log      L17 every sender's log is complete and in order, so equal runs have equal digests
 
@@ -66,6 +69,7 @@ std::unique_ptr<Checker> station_laws(const Facts& facts);
 std::unique_ptr<Checker> log_laws(const Facts& facts);
 std::unique_ptr<Checker> sender_laws(const Facts& facts);
 std::unique_ptr<Checker> clearance_laws(const Facts& facts);
+std::unique_ptr<Checker> height_laws(const Facts& facts);
 
 /// Every violation in a log, by time.
 std::vector<Violation> violations(const Facts& facts, const std::vector<Envelope>& log,

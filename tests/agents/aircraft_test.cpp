@@ -4,6 +4,8 @@
 #include "agents/control_clock.hpp"
 #include "tests/agents/scripted_fleet.hpp"
 
+#include "agents/guidance/height_profile.hpp"
+
 #include <catch2/catch.hpp>
 #include <limits>
 
@@ -107,6 +109,20 @@ TEST_CASE("aircraft: blown away by a storm it waits for itself and does not dive
   for (int i = 0; i < 600; ++i) aircraft.fly(no_stop);
   CHECK(aircraft.pilot().pace().along_m() < 20.0);  // did not run on without the aircraft
   CHECK_FALSE(aircraft.is_at_rest(no_stop));
+}
+
+TEST_CASE("heights: a profile is straight between its marks and counts what rises", "[agents]") {
+  HeightProfile heights;
+  CHECK(heights.is_level());
+  CHECK(heights.altitude_m(7) == 0);
+  for (const auto& [along_m, altitude_m] : {std::pair{0.0, 3.0}, {10.0, 8.0}, {30.0, 4.0}}) {
+    heights.mark(along_m, altitude_m);
+  }
+  CHECK(heights.altitude_m(-1) == 3);
+  CHECK(heights.altitude_m(4) == Approx(5));
+  CHECK(heights.altitude_m(20) == Approx(6));
+  CHECK(heights.altitude_m(31) == 4);
+  CHECK(heights.climb_m() == Approx(5));
 }
 
 }  // namespace

@@ -1,0 +1,77 @@
+#include "sim/checkers/laws.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <map>
+
+namespace furrow::sim {
+namespace {
+
+constexpr double tolerance_m = 1.0;  // slopes between samples, errors of place, gusts
+constexpr double slope_kept = 0.9;   // of what climb and descent allow: arcs are shorter
+
+class HeightLaws final : public Checker {
+ public:
+  explicit HeightLaws(const Facts& facts) : relief_{facts.plan.route.ferries.relief()} {
+    for (const auto& uav : facts.plan.uavs) speeds_[uav.vehicle.id] = uav.vehicle.ferry_speed;
+  }
+
+  void observe(const Envelope& e) override {
+    if (relief_ == nullptr) return;
+    if (const auto* flown = std::get_if<FlightRecord>(&e.body)) {
+      auto& track = tracks_[flown->agent];
+      track.insert(track.end(), flown->track.begin(), flown->track.end());
+    }
+    if (const auto* sortie = std::get_if<SortieReport>(&e.body)) {
+      const auto speed = speeds_.find(sortie->agent);
+      if (speed != speeds_.end()) judge(*sortie, tracks_[sortie->agent], speed->second);
+      tracks_[sortie->agent].clear();
+    }
+  }
+
+  void conclude(Instant) override {}
+
+ private:
+  // The first place that is too low.
+  void judge(const SortieReport& sortie, const std::vector<TrackPoint>& track, Speed ferry) {
+    if (track.empty()) return;
+    const auto first =
+        std::find_if(track.begin(), track.end(), [](const TrackPoint& p) { return p.spraying; });
+    const Instant begins = first == track.end() ? sortie.landed : first->at;
+    const std::vector<FieldPoint> ends{track.front().position, sortie.resumed_at,
+                                       sortie.returned_at, track.back().position};
+    for (const TrackPoint& p : track) {
+      const bool is_ferry = p.at < begins || p.at > sortie.spray_ended;
+      const double kept_m =
+          is_ferry ? ferry_m(p.position, ends, ferry) : relief_->work_altitude_m(p.position);
+      if (p.altitude_m >= kept_m - tolerance_m) continue;
+      return report("L23", p.at,
+                    fmt::format("{} flew at {:.1f} m over ({:.1f}, {:.1f}) m, {:.1f} m is the "
+                                "least there",
+                                text(node(sortie.agent)), p.altitude_m, p.position.x.base(),
+                                p.position.y.base(), kept_m));
+    }
+  }
+
+  double ferry_m(FieldPoint p, const std::vector<FieldPoint>& ends, Speed ferry) const {
+    const planner::HeightRule& rule = relief_->rule();
+    const double slope = slope_kept * (std::min(rule.climb, rule.descent) / ferry);
+    double kept_m = (relief_->surface().height(p) + rule.clearance).base();
+    for (const FieldPoint end : ends) {
+      kept_m = std::min(kept_m, relief_->work_altitude_m(end) + slope * distance(end, p).base());
+    }
+    return std::max(kept_m, relief_->work_altitude_m(p));
+  }
+
+  const planner::Relief* relief_;
+  std::map<AgentId, Speed> speeds_;
+  std::map<AgentId, std::vector<TrackPoint>> tracks_;
+};
+
+}  // namespace
+
+std::unique_ptr<Checker> height_laws(const Facts& facts) {
+  return std::make_unique<HeightLaws>(facts);
+}
+
+}  // namespace furrow::sim
