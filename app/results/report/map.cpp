@@ -1,5 +1,6 @@
 #include "app/results/report/map.hpp"
 
+#include "app/results/report/height_charts.hpp"
 #include "app/results/report/palette.hpp"
 #include "app/results/report/simplify.hpp"
 #include "app/results/report/view.hpp"
@@ -24,6 +25,7 @@ class Panels {
 
   std::string planned() const {
     Svg svg = land_panel(view_, record_.scenario, "Planned");
+    draw_contours(svg);
     for (std::size_t i = 0; i < uavs().size(); ++i) draw_ferries(svg, i);
     for (std::size_t i = 0; i < uavs().size(); ++i) {
       svg.path(strips(i), false,
@@ -107,6 +109,30 @@ class Panels {
           view_, route_.ferries.way(stop_after(plan.cells.first + cell), plan.station.position)));
     }
     svg.path(ways, false, {.stroke = "#8b8b80", .width = 0.6, .opacity = 0.7, .dash = "3 3"});
+  }
+
+  // From the field to its stations.
+  void draw_contours(Svg& svg) const {
+    const planner::Relief* relief = route_.ferries.relief();
+    if (relief == nullptr) return;
+    Extent extent{record_.scenario.field.boundary.front(), record_.scenario.field.boundary.front()};
+    const auto cover = [&](FieldPoint p) {
+      extent.south_west.x = std::min(extent.south_west.x, p.x);
+      extent.south_west.y = std::min(extent.south_west.y, p.y);
+      extent.north_east.x = std::max(extent.north_east.x, p.x);
+      extent.north_east.y = std::max(extent.north_east.y, p.y);
+    };
+    for (const FieldPoint p : record_.scenario.field.boundary) cover(p);
+    for (const Station& s : record_.scenario.stations) cover(s.position);
+    const Contours lines = contours(relief->surface(), extent);
+    Chains chains;
+    chains.reserve(lines.pieces.size());
+    for (const auto& piece : lines.pieces) chains.push_back(pixels(view_, piece));
+    svg.path(chains, false, {.stroke = "#8c7a52", .width = 0.7, .opacity = 0.7});
+    if (lines.step_m > 0) {
+      svg.text(view_.at(extent.south_west), fmt::format("contours every {:g} m", lines.step_m),
+               {.size = 10, .fill = "#8c7a52", .halo = true});
+    }
   }
 
   void draw_returns(Svg& svg, std::size_t uav) const {

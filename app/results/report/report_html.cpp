@@ -4,6 +4,7 @@
 #include "app/results/flown.hpp"
 #include "app/results/report/charts.hpp"
 #include "app/results/report/gantt.hpp"
+#include "app/results/report/height_charts.hpp"
 #include "app/results/report/map.hpp"
 #include "app/results/report/page.hpp"
 #include "app/results/report/svg.hpp"
@@ -65,6 +66,7 @@ std::string report_html(const MissionRecord& record, const Result& result) {
   page += section("At a glance",
                   headline(result) + titled("What was expected", expectation_table(result)));
   page += section("Map", map_figure(record, log, result, colours));
+  page += section("Over the ground", height_charts(record, log, colours));
   page += section("What was covered", coverage_table(result));
   page += section("Who did what when", gantt_figure(log, result, colours));
   page += section("The plan against the optimum", optimum_table(result) + uav_table(result));

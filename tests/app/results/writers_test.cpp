@@ -9,7 +9,9 @@
 #include "app/results/write_results.hpp"
 #include "tests/app/results/small_mission.hpp"
 
+#include "app/results/report/height_charts.hpp"
 #include <algorithm>
+
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -141,6 +143,38 @@ TEST_CASE("report_html: bears a flight without a log and a UAV without work", "[
   record.plan.uavs[1].strips = {3, 0};
   record.plan.uavs[1].solution = {};
   CHECK(is_balanced(report_html(record, summary(record))));
+}
+
+// Rises 1 m in 10 m eastwards.
+planner::Surface ramp() {
+  Raster raster{at_m(-100, -100), metres(100), 4, 4, {}};
+  for (int j = 0; j < 4; ++j) {
+    for (int i = 0; i < 4; ++i) raster.heights_m.push_back(static_cast<float>(10 * i));
+  }
+  return planner::Surface{raster};
+}
+
+TEST_CASE("report_html: a flight over terrain is shown from the side and with contours", "[app]") {
+  MissionRecord record = small_flight();
+  CHECK(report_html(record, summary(record)).find("Over the ground") == std::string::npos);
+  record.plan.route.ferries = record.plan.route.ferries.over_ground({ramp(), {}, {}});
+  const std::string page = report_html(record, summary(record));
+  CHECK(is_balanced(page));
+  CHECK(page.find("Over the ground") != std::string::npos);
+  CHECK(page.find("contours every") != std::string::npos);
+}
+
+TEST_CASE("contours: lines of a ramp lie across it, one a step", "[app]") {
+  // 10 m of rise over 100 m: lines 1 m apart, at every 10 m but where the rectangle begins.
+  const Contours lines = contours(ramp(), {at_m(0, 0), at_m(100, 50)});
+  CHECK(lines.step_m == 1);
+  REQUIRE(!lines.pieces.empty());
+  for (const auto& piece : lines.pieces) {
+    REQUIRE(piece.size() == 2);
+    CHECK(piece[0].x.base() == Approx(piece[1].x.base()));
+    CHECK(std::remainder(piece[0].x.base(), 10) == Approx(0).margin(1e-4));
+  }
+  CHECK(contours(planner::Surface::level(metres(7)), {at_m(0, 0), at_m(9, 9)}).pieces.empty());
 }
 
 TEST_CASE("simplify: points close to the chain go, corners stay", "[app]") {
