@@ -31,7 +31,7 @@ struct CoverageFigures {
 };
 
 /// What the swaths wetted: on a grid from the true offset of each cell's pass, on swept fields from
-/// the union of the true tracks' footprints. Zero when only planned.
+/// the union of the true tracks' footprints. When only planned, of the strips flown exactly.
 struct FootprintFigures {
   double wetted_m2;
   double missed_m2;   ///< Workable land left dry.
@@ -49,6 +49,10 @@ struct FleetFigures {
   double ferry_m;
   double flown_outside_m;    ///< Over no land, holes and obstacles included, on all ways.
   double outside_at_work_m;  ///< The part of it that is not on the ways from and to stations.
+  double rate_l_ha;          ///< Application rate: the mean over the shares' areas.
+  double sprayed_l;   ///< On all ground wetted, each time: rate times footprint, as the next two.
+  double repeated_l;  ///< Part of it: on ground wetted again.
+  double outside_l;   ///< Part of it: outside the boundary or inside a hole.
 };
 
 struct SortieFigures {

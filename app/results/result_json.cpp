@@ -91,7 +91,11 @@ Json json(const FleetFigures& f) {
           {"route_m", rounded(f.route_m)},
           {"ferry_m", rounded(f.ferry_m)},
           {"flown_outside_m", rounded(f.flown_outside_m)},
-          {"outside_at_work_m", rounded(f.outside_at_work_m)}};
+          {"outside_at_work_m", rounded(f.outside_at_work_m)},
+          {"rate_l_ha", rounded(f.rate_l_ha)},
+          {"sprayed_l", rounded(f.sprayed_l)},
+          {"repeated_l", rounded(f.repeated_l)},
+          {"outside_l", rounded(f.outside_l)}};
 }
 
 Json json(const SortieFigures& s) {

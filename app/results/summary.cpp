@@ -52,6 +52,16 @@ FieldFigures field_figures(const MissionRecord& record) {
           .cells = static_cast<std::uint32_t>(route.centers.size() + route.missed.size())};
 }
 
+// Every cell of every share, flown exactly.
+std::vector<Pass> planned_passes(const scheduler::FleetPlan& plan) {
+  std::vector<Pass> passes;
+  passes.reserve(plan.route.centers.size());
+  for (const scheduler::UavPlan& uav : plan.uavs) {
+    for (std::uint32_t i = uav.cells.first; i < end(uav.cells); ++i) passes.push_back({i, 0.0});
+  }
+  return passes;
+}
+
 CoverageFigures planned_coverage(const MissionRecord& record) {
   const planner::Route& route = record.plan.route;
   std::vector<std::uint32_t> times(route.centers.size());
@@ -186,6 +196,25 @@ UavFigures flown_figures(const FlownUav& flown, const scheduler::UavPlan& uav, b
   return f;
 }
 
+// Weighted by the areas that the aircraft are to spray; of the first where there is none.
+double mean_rate_l_ha(const MissionRecord& record, const std::vector<UavFigures>& uavs) {
+  double litres_times_1e4 = 0, area_m2 = 0;
+  for (std::size_t i = 0; i < uavs.size(); ++i) {
+    const Vehicle& vehicle = record.plan.uavs[i].vehicle;
+    litres_times_1e4 += uavs[i].area_m2 * (application_rate(vehicle) / litres_per_hectare(1));
+    area_m2 += uavs[i].area_m2;
+  }
+  if (area_m2 > 0) return litres_times_1e4 / area_m2;
+  return application_rate(record.plan.uavs.front().vehicle) / litres_per_hectare(1);
+}
+
+void add_litres(FleetFigures& f, const FootprintFigures& wetted) {
+  const double l_m2 = f.rate_l_ha / 10'000;
+  f.sprayed_l = l_m2 * (wetted.wetted_m2 + wetted.overlap_m2);
+  f.repeated_l = l_m2 * wetted.overlap_m2;
+  f.outside_l = l_m2 * wetted.outside_m2;
+}
+
 FleetFigures fleet_figures(const MissionRecord& record, const Flown& flown, const Result& result) {
   FleetFigures f{};
   const bool is_flown = record.mode != Mode::plan;
@@ -203,6 +232,8 @@ FleetFigures fleet_figures(const MissionRecord& record, const Flown& flown, cons
   f.route_m = length_m(ways.at_work);
   f.flown_outside_m = outside_m(record, ways.whole);
   f.outside_at_work_m = outside_m(record, ways.at_work);
+  f.rate_l_ha = mean_rate_l_ha(record, result.uavs);
+  add_litres(f, result.footprint);
   return f;
 }
 
@@ -279,15 +310,16 @@ Result summary(const MissionRecord& record, const Flown& flown) {
                  : planned_figures(record.plan.route, uav, area_m2));
   }
   r.sweep = record.plan.sweep;
-  if (is_flown && !r.sweep) {
-    r.footprint = footprint(record.scenario.field, record.plan.route, flown.passes,
+  if (!r.sweep) {
+    r.footprint = footprint(record.scenario.field, record.plan.route,
+                            is_flown ? flown.passes : planned_passes(record.plan),
                             record.plan.work_direction_deg);
   }
   r.coverage = is_flown ? flown_coverage(record, flown, r.footprint) : planned_coverage(record);
   if (r.sweep) {
     const planner::SprayedAreas areas = sweep_areas(record, is_flown ? &flown : nullptr);
     r.coverage = sweep_coverage(r.coverage, *r.sweep, areas);
-    if (is_flown) r.footprint = footprint(areas);
+    r.footprint = footprint(areas);
   }
   r.completed = is_flown ? !record.partial && flown.last_word && flown.last_word->completed
                          : r.coverage.abandoned_m2 == 0;

@@ -63,6 +63,12 @@ std::string summary_table(const Result& r) {
       fmt::format("covered {:.2f} ha, missed {:.0f} m2, repeated {:.0f} m2, outside {:.1f} m2\n",
                   r.coverage.covered_m2 / 10'000, r.coverage.missed_m2, r.coverage.repeated_m2,
                   r.coverage.outside_m2);
+  table += fmt::format("mix {:.1f} L at {:.2f} L/ha, {:.2f} L of it twice, {:.2f} L outside\n",
+                       r.fleet.sprayed_l, r.fleet.rate_l_ha, r.fleet.repeated_l, r.fleet.outside_l);
+  if (r.datum) {
+    table += fmt::format("origin of the field frame: lat {:.7f}, lon {:.7f} (WGS84)\n",
+                         r.datum->lat_deg, r.datum->lon_deg);
+  }
   table += fmt::format(
       "last cell {:.2f} min, planned {:.2f}, no plan below {:.2f}; returns by {}: "
       "{}\n",

@@ -44,6 +44,11 @@ std::string scenario_table(const MissionRecord& record) {
   table.row({"Field", fmt::format("{:.2f} ha, holes: {}, obstacles: {}, strips heading {:g}°",
                                   area(s.field) / hectares(1), s.field.holes.size(),
                                   s.field.obstacles.size(), record.plan.work_direction_deg)});
+  if (s.datum) {
+    table.row(
+        {"Origin of the field frame", fmt::format("latitude {:.7f}°, longitude {:.7f}° (WGS84)",
+                                                  s.datum->lat_deg, s.datum->lon_deg)});
+  }
   if (s.stated_area) {
     const double off = area(s.field) / *s.stated_area - 1;
     table.row({"Area stated by its file", fmt::format("{:.4f} ha; its land has {:+.2f} %",

@@ -49,7 +49,8 @@ std::string headline(const Result& r) {
   const bool is_flown = r.mode != Mode::plan;
   std::string cards = "<div class=\"cards\">";
   cards += card(is_flown ? "Sprayed" : "To spray", area(r.coverage.covered_m2),
-                percent(covered) + " of what is workable");
+                fmt::format("{} of what is workable; {:.1f} L at {:.1f} L/ha", percent(covered),
+                            r.fleet.sprayed_l, r.fleet.rate_l_ha));
   cards += card("Missed", area(r.coverage.missed_m2),
                 area(r.coverage.unrouted_m2) + " of it in the plan",
                 r.coverage.missed_m2 > r.coverage.unrouted_m2 ? "bad" : "");
@@ -62,7 +63,8 @@ std::string headline(const Result& r) {
     cards += card("Off the line", centimetres(r.deviation.truth.rms_m) + " cm",
                   "RMS; " + centimetres(r.deviation.truth.max_m) + " cm at most");
     cards += card("Sprayed twice", area(r.coverage.repeated_m2),
-                  area(r.coverage.outside_m2) + " outside the field",
+                  fmt::format("{:.1f} L; {} ({:.1f} L) outside the field", r.fleet.repeated_l,
+                              area(r.coverage.outside_m2), r.fleet.outside_l),
                   r.coverage.repeated_m2 > 0 ? "bad" : "");
     cards +=
         card("Laws broken", fmt::format("{}", r.violations.size()),

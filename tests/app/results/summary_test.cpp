@@ -38,6 +38,14 @@ TEST_CASE("summary: a plan's figures are its forecasts", "[app]") {
   CHECK(r.stations[0].swaps == 1);
   CHECK(r.stations[0].filled_l == Approx(3.0));  // 0.6 of 5 L
   CHECK(r.stations[0].bays[0].busy_s == Approx(60.0));
+  // Twelve cells of 4 m2 are wetted once. A tank of 5 L lasts 10 m of 2 m: 0.25 L/m2.
+  CHECK(r.footprint.wetted_m2 == Approx(48));
+  CHECK(r.footprint.missed_m2 == Approx(0).margin(1e-9));
+  CHECK(r.footprint.overlap_m2 == Approx(0).margin(1e-9));
+  CHECK(r.fleet.rate_l_ha == Approx(2500));
+  CHECK(r.fleet.sprayed_l == Approx(12));
+  CHECK(r.fleet.repeated_l == Approx(0).margin(1e-9));
+  CHECK(r.fleet.outside_l == Approx(0).margin(1e-9));
   REQUIRE(r.batteries.size() == 3);
   CHECK(r.batteries[1].used == 0.114);
 }
