@@ -6,6 +6,7 @@
 #include "app/results/write_results.hpp"
 #include "mission/fleet.hpp"
 #include "mission/load.hpp"
+#include "mission/located.hpp"
 #include "sim/checkers/laws.hpp"
 
 #include <chrono>
@@ -123,8 +124,7 @@ int conduct(const Options& options, Mode mode, const Fly& fly) {
     return scheduler::plan_fleet(mission::fleet_problem(*scenario));
   }();
   if (!plan) {
-    tell(fmt::format("{}: no plan: {}: {}", options.scenario, planner::name(plan.error().fault),
-                     plan.error().detail));
+    fmt::print(stderr, "{}\n", mission::text(mission::located(plan.error(), *scenario)));
     return Exit::bad_input;
   }
   const double planned_s = wall_s();

@@ -34,6 +34,29 @@ void place_at_stations(Draft& draft) {
   }
 }
 
+// The line of every key below `element`.
+void add_lines(const Element& element, const std::string& path, std::map<std::string, int>& lines) {
+  const bool is_map = element.kind == Element::Kind::map;
+  for (std::size_t i = 0; i < element.items.size(); ++i) {
+    const Element& item = element.items[i];
+    if (!is_map && item.kind != Element::Kind::map) continue;  // vertices, numbers
+    const std::string below = !is_map        ? fmt::format("{}[{}]", path, i)
+                              : path.empty() ? element.keys[i].name
+                                             : path + "." + element.keys[i].name;
+    lines[below] = is_map ? element.keys[i].line : item.line;
+    add_lines(item, below, lines);
+  }
+}
+
+Source source_of(const Draft& draft, const Element& tree, const std::string& file) {
+  Source source{.file = file, .lines = {}, .stations = {}, .uavs = {}};
+  add_lines(tree, {}, source.lines);
+  for (const Section& station : draft.stations) source.stations.push_back(station.path());
+  source.uavs.reserve(draft.fleet_of.size());
+  for (const std::size_t fleet : draft.fleet_of) source.uavs.push_back(draft.fleets[fleet].path());
+  return source;
+}
+
 }  // namespace
 
 std::string text(const ScenarioError& e) {
@@ -54,6 +77,7 @@ Expected<Scenario, Errors> parse(std::string_view yaml, const std::string& file)
   check_together(root, draft);
   if (findings.count() > 0) return Unexpected{findings.sorted()};
   place_at_stations(draft);
+  draft.scenario.source = source_of(draft, *tree, file);
   draft.scenario.warnings = findings.warnings();
   return std::move(draft.scenario);
 }

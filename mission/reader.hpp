@@ -68,6 +68,8 @@ class Section {
   std::vector<Section> list(std::string_view key, std::size_t least, std::size_t most) const;
 
   bool has(std::string_view key) const;
+  /// Of this map: "uavs[0]".
+  const std::string& path() const { return path_; }
   /// Adds an error at a key of this map, or at the map itself if it has no such key.
   /// @param key  May go on into a list: "holes_m[2]".
   void fail(std::string_view key, std::string rule, std::string value = {}) const;

@@ -12,6 +12,7 @@
 #include "planner/terrain/relief.hpp"
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,6 +31,13 @@ struct Fault {
 struct Expectation {
   std::string key;  ///< As in result.json, e.g. "missed_m2"; "completed" is 0 or 1.
   std::optional<double> min, max;
+};
+
+/// Where a scenario says what it says.
+struct Source {
+  std::string file;
+  std::map<std::string, int> lines;         ///< Of every key: "uavs[0].swath_m".
+  std::vector<std::string> stations, uavs;  ///< The entry of each, as in the scenario: "uavs[0]".
 };
 
 struct Scenario {
@@ -51,6 +59,7 @@ struct Scenario {
   Duration mission_limit;     ///< The run is given up after this mission time.
   std::vector<Fault> faults;  ///< In order of time.
   std::vector<Expectation> expectations;
+  Source source;
   /// What was mended or looks wrong, "FILE:LINE: KEY: warning: SENTENCE" each, by line.
   std::vector<std::string> warnings;
 };

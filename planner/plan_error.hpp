@@ -17,6 +17,8 @@ enum class PlanFault {
   out_of_reach,           ///< Move the station closer or use a pack that lasts longer.
   tank_too_small,         ///< A tank must last for at least one cell.
   swaths_differ,          ///< Aircraft that share one route spray one width.
+  margin_too_wide,        ///< Use a smaller margin: the field vanishes under it.
+  too_many_rows,          ///< Use a wider swath, or a smaller field.
 };
 
 struct PlanError {
@@ -35,6 +37,8 @@ constexpr std::string_view name(PlanFault fault) {
     case PlanFault::out_of_reach: return "out_of_reach";
     case PlanFault::tank_too_small: return "tank_too_small";
     case PlanFault::swaths_differ: return "swaths_differ";
+    case PlanFault::margin_too_wide: return "margin_too_wide";
+    case PlanFault::too_many_rows: return "too_many_rows";
   }
   return "unknown";
 }

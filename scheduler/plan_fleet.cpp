@@ -51,7 +51,8 @@ std::optional<PlanError> cut_off_strip(const planner::Route& route,
     return PlanError{PlanFault::out_of_reach,
                      "the strip at (" + std::to_string(strip.begin.x.base()) + ", " +
                          std::to_string(strip.begin.y.base()) +
-                         ") m is cut off from the stations by holes or obstacles"};
+                         ") m is cut off from the stations by holes or obstacles",
+                     strip.begin};
   }
   return std::nullopt;
 }

@@ -159,6 +159,10 @@ Expected<Grid, PlanError> field_grid(const Field& field, Length swath, Length ma
   }
   for (const Obstacle& obstacle : field.obstacles) clear_around(grid, obstacle, slack);
 
+  if (rings->empty()) {
+    return Unexpected{PlanError{PlanFault::margin_too_wide,
+                                fmt::format("a margin of {} m leaves nothing", margin.base())}};
+  }
   if (std::find(grid.workable.begin(), grid.workable.end(), 1) == grid.workable.end()) {
     return Unexpected{
         PlanError{PlanFault::nothing_to_spray,

@@ -264,7 +264,7 @@ Expected<Route, PlanError> coverage_route(const Field& field, Length swath,
   if (!start) {
     return Unexpected{PlanError{
         PlanFault::start_not_workable,
-        fmt::format("({}, {}) m lies in no workable cell", place.x.base(), place.y.base())}};
+        fmt::format("({}, {}) m lies in no workable cell", place.x.base(), place.y.base()), place}};
   }
 
   const Cell advance = advance_from(*grid, *start, *ahead);

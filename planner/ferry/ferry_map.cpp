@@ -24,7 +24,7 @@ bool is_within(const LandParts& parts, PointM p) {
 
 PlanError unreachable(FieldPoint stand, const char* why) {
   return {PlanFault::out_of_reach,
-          fmt::format("({:.3f}, {:.3f}) m {}", stand.x.base(), stand.y.base(), why)};
+          fmt::format("({:.3f}, {:.3f}) m {}", stand.x.base(), stand.y.base(), why), stand};
 }
 
 }  // namespace

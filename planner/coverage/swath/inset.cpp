@@ -82,7 +82,7 @@ Expected<FieldLand, PlanError> field_land(const Field& field, Length margin, Len
   drop_dust(made.flight);
   if (made.flight.empty()) {
     return Unexpected{
-        PlanError{PlanFault::nothing_to_spray,
+        PlanError{PlanFault::margin_too_wide,
                   fmt::format("a margin of {} m leaves nothing of a field of {:.1f} m2",
                               margin.base(), area_m2(made.land))}};
   }

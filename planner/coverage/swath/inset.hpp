@@ -26,7 +26,8 @@ struct FieldLand {
 ///
 /// @error  field_invalid     A ring has fewer than 3 vertices, is not finite, encloses no area, or
 ///                           crosses itself; `detail` names the ring and the place.
-/// @error  nothing_to_spray  Holes or the margin leave nothing.
+/// @error  nothing_to_spray  Holes leave nothing.
+/// @error  margin_too_wide   The margin leaves nothing.
 Expected<FieldLand, PlanError> field_land(const Field& field, Length margin, Length hole_buffer);
 
 }  // namespace furrow::planner

@@ -128,7 +128,7 @@ std::optional<PlanError> too_many_rows(const LandParts& land, double swath_m) {
     for (const PointM p : part.outer) reach_m = std::max(reach_m, norm(p));
   }
   if (2 * reach_m / swath_m <= most_rows) return std::nullopt;
-  return PlanError{PlanFault::nothing_to_spray,
+  return PlanError{PlanFault::too_many_rows,
                    fmt::format("a field of {:.0f} m has more than {:.0f} rows of {} m", 2 * reach_m,
                                most_rows, swath_m)};
 }

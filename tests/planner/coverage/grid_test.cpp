@@ -97,7 +97,7 @@ TEST_CASE("grid: a margin draws boundary and holes in, corners mitred", "[planne
 
   field.holes.push_back({at_m(8, 8), at_m(12, 8), at_m(12, 12), at_m(8, 12)});
   CHECK(workable(field, 2, 2) == 8 * 8 - 4 * 4);
-  CHECK(field_grid(field, metres(2), metres(20)).error().fault == PlanFault::nothing_to_spray);
+  CHECK(field_grid(field, metres(2), metres(20)).error().fault == PlanFault::margin_too_wide);
 }
 
 TEST_CASE("grid: broken outlines are refused with the place of the fault", "[planner]") {

@@ -43,7 +43,7 @@ TEST_CASE("a margin splits a field at its neck and keeps both parts") {
 TEST_CASE("a margin that leaves nothing is an error that says so") {
   const auto land = field_land(plain(square(0, 0, 10)), metres(5), {});
   REQUIRE(!land);
-  CHECK(land.error().fault == PlanFault::nothing_to_spray);
+  CHECK(land.error().fault == PlanFault::margin_too_wide);
   CHECK(land.error().detail == "a margin of 5 m leaves nothing of a field of 100.0 m2");
 }
 
