@@ -67,6 +67,7 @@ void AgentNode::replace_order(const Command& command, Instant now) {
   } else if (phase_ == Phase::done && !order_->is_finished()) {
     phase_ = Phase::wait;
     prepare(now);
+    has_unreported_sortie_ = sorties_flown_ > 0 && !is_prepared_;  // of its service, later
   }
 }
 
@@ -120,7 +121,8 @@ AgentNode::Demand AgentNode::demand() const {
   if (const planner::Relief* relief = settings_.ferries.relief()) {
     time_s += relief->rule().climb_energy_s_per_m * route.heights.climb_m();
   }
-  const double fill = std::max(0.0, share - tank);
+  // A tank that was emptied to the last drop may be below zero by rounding.
+  const double fill = std::clamp(share - tank, 0.0, 1.0);
   return {.swap = aircraft_.stores.pack_share < 1.0 &&
                   aircraft_.stores.flight_left_s(vehicle_) < time_s,
           .fill = fill > nothing_to_fill ? fill : 0.0};

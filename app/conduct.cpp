@@ -44,10 +44,6 @@ std::vector<std::string> shortcomings(const Result& result, const std::vector<En
   for (const Envelope& envelope : log) {
     const auto* const event = std::get_if<Event>(&envelope.body);
     if (event == nullptr) continue;
-    if (event->kind == "agent_lost") {
-      all.push_back(
-          fmt::format("lost at {:.1f} s: {}", seconds(envelope.sent).base(), event->detail));
-    }
     if (event->kind == "mission_limit") all.push_back(event->detail);
   }
   for (const auto& expectation : result.expectations) {
@@ -57,6 +53,23 @@ std::vector<std::string> shortcomings(const Result& result, const std::vector<En
     all.push_back(
         fmt::format("law {} broken at {:.1f} s: {}", v.law, seconds(v.at).base(), v.detail));
     if (all.size() > 20) break;
+  }
+  return all;
+}
+
+// What went wrong and was made good, or could not be, in sentences.
+std::vector<std::string> losses(const std::vector<Envelope>& log) {
+  std::vector<std::string> all;
+  for (const Envelope& envelope : log) {
+    const auto* const event = std::get_if<Event>(&envelope.body);
+    if (event == nullptr) continue;
+    const double at_s = seconds(envelope.sent).base();
+    if (event->kind == "agent_lost") {
+      all.push_back(fmt::format("lost at {:.1f} s: {}", at_s, event->detail));
+    }
+    if (event->kind == "cells_uncertain") {
+      all.push_back(fmt::format("uncertain since {:.1f} s: {}", at_s, event->detail));
+    }
   }
   return all;
 }
@@ -84,6 +97,7 @@ int report(const Options& options, const MissionRecord& record) {
     fmt::print(stderr, "Results: {}/report.html\n", folder);
   }
   if (const std::string gap = uncovered(result); !gap.empty()) tell(gap);
+  for (const std::string& sentence : losses(record.log)) tell(sentence);
   const auto lacking = shortcomings(result, record.log);
   for (const std::string& sentence : lacking) tell(sentence);
   return lacking.empty() ? Exit::done : Exit::not_met;

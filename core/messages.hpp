@@ -177,10 +177,10 @@ enum class MissionPhase : std::uint8_t { gathering = 1, flying = 2, finished = 3
 struct SchedulerState {
   Epoch epoch;
   MissionPhase phase;
-  bool completed;                 ///< Finished with every workable cell sprayed.
+  bool completed;                 ///< Finished with every cell sprayed or uncertain.
   std::uint32_t sprayed_cells;    ///< Booked in the ledger.
   std::uint32_t open_cells;       ///< Neither sprayed nor given up.
-  std::uint32_t abandoned_cells;  ///< Given up, each with an event that says why.
+  std::uint32_t abandoned_cells;  ///< Given up or uncertain, each with an event that says why.
   std::vector<AgentId> lost;
 };
 
@@ -190,7 +190,8 @@ struct Event {
   std::string detail;  ///< For people: who, what, with numbers and units.
 };
 
-/// How the sortie just ended went. Sent when the next begins, or at the end of the last.
+/// How the sortie just ended went. Sent when the next begins, or at the end of the last; of that
+/// once more if more work came and it was served after all.
 struct SortieReport {
   AgentId agent;
   std::uint32_t sortie;  ///< 0, 1, 2, ... in the order flown.

@@ -11,12 +11,13 @@ constexpr double tolerance_s = 0.05;
 /// All the strips from `first` on that the aircraft can spray by `finish_s`, from its best station.
 Share longest_share(const PartitionProblem& p, std::size_t uav, std::uint32_t first,
                     double finish_s) {
+  const double ready_s = p.ready_s.empty() ? 0.0 : p.ready_s[uav];
   Share best{.strips = {first, 0}, .station = 0, .finish_s = 0.0};
   for (std::uint32_t s = 0; s < p.paces[uav].size(); ++s) {
     Share share{.strips = {first, 0}, .station = s, .finish_s = 0.0};
     GrowingShare growing{p.route, p.lengths, p.paces[uav][s], first};
     while (growing.can_grow()) {
-      const double grown_s = p.stretch[uav] * growing.grow();
+      const double grown_s = ready_s + p.stretch[uav] * growing.grow();
       if (grown_s > finish_s) break;
       ++share.strips.count;
       share.finish_s = grown_s;

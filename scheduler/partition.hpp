@@ -23,6 +23,8 @@ struct PartitionProblem {
   /// By aircraft: what its predicted times are multiplied by; for what a pace does not know of, as
   /// battery swaps and queues.
   std::vector<double> stretch;
+  /// By aircraft: mission time at which it sets out [s]; all at 0 when left out.
+  std::vector<double> ready_s{};
 };
 
 /// The cut with the smallest latest predicted finish, within 0.05 s. Each aircraft gets the station

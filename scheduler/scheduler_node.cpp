@@ -2,14 +2,17 @@
 
 #include "core/require.hpp"
 #include "scheduler/orders.hpp"
+#include "scheduler/remnant.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <string>
+#include <utility>
 
 namespace furrow::scheduler {
 namespace {
 
-constexpr std::uint32_t revision = 1;  // a plan is commanded once
+constexpr std::uint32_t most_losses = 3;  // on one strip, until nobody is sent there again
 constexpr Duration resend_after = std::chrono::seconds{2};
 constexpr Duration state_period = std::chrono::seconds{2};
 
@@ -23,6 +26,16 @@ std::string text(CellRange cells) {
 }
 
 std::string text(AgentId agent) { return furrow::text(node(agent)); }
+
+CellRange whole(const Ledger& ledger) {
+  const CellCounts& n = ledger.counts();
+  return {0, n.open + n.granted + n.sprayed + n.abandoned + n.uncertain};
+}
+
+/// Over the field, where what it works on may be the end of it.
+bool is_at_work(Phase phase) {
+  return phase == Phase::fly_out || phase == Phase::spray || phase == Phase::hold;
+}
 
 bool is_due(const std::optional<Instant>& last, Instant now) {
   return !last || now - *last >= resend_after;
@@ -39,14 +52,17 @@ std::string missed_detail(const planner::Route& route) {
 
 SchedulerNode::SchedulerNode(SchedulerSettings settings)
     : settings_{std::move(settings)},
-      ledger_{static_cast<std::uint32_t>(settings_.plan.route.centers.size())} {
+      ledger_{static_cast<std::uint32_t>(settings_.plan.route.centers.size())},
+      losses_(settings_.plan.route.strips.size(), 0) {
   require(settings_.windows_ahead >= 1, "an agent has a window to work on");
   require(number(settings_.epoch) > 0, "an epoch is counted from 1");
   for (const UavPlan& uav : settings_.plan.uavs) {
     Member m{.agent = uav.vehicle.id,
-             .share = uav.cells,
+             .vehicle = uav.vehicle,
+             .station = uav.station,
              .sorties = orders(settings_.plan.route, uav),
-             .pieces = {}};
+             .pieces = {},
+             .lands_s = uav.lands_s};
     m.pieces = pieces(m.sorties);
     members_.push_back(std::move(m));
   }
@@ -58,6 +74,7 @@ Outbox SchedulerNode::step(const Inbox& inbox, Instant now) {
     for (const Envelope& envelope : inbox) hear(envelope, now, out);
     check_leases(now, out);
     gather(now, out);
+    share_out(now, out);
     if (phase_ == MissionPhase::flying) {
       for (Member& m : members_) direct(m, now, out);
     }
@@ -95,7 +112,7 @@ void SchedulerNode::hear(const AgentState& state, Instant now, Outbox& out) {
   Member* m = member(state.agent, state.boot, now);
   if (m == nullptr) return;
   m->phase = state.phase;
-  const bool follows = state.epoch == settings_.epoch && state.revision == revision;
+  const bool follows = state.epoch == settings_.epoch && state.revision == m->revision;
   if (follows) m->accepted = true;
   if (state.phase == Phase::offline && has_work_left(*m)) {
     lose(*m, "it left the fleet", out);
@@ -108,7 +125,7 @@ void SchedulerNode::hear(const AgentState& state, Instant now, Outbox& out) {
 
 void SchedulerNode::hear(const CommandAck& ack, Instant now, Outbox& out) {
   Member* m = member(ack.agent, ack.boot, now);
-  if (m == nullptr || ack.epoch != settings_.epoch || ack.revision != revision) return;
+  if (m == nullptr || ack.epoch != settings_.epoch || ack.revision != m->revision) return;
   switch (ack.status) {
     case AckStatus::accepted:
     case AckStatus::running:
@@ -167,25 +184,128 @@ void SchedulerNode::check_limit(Instant now, Outbox& out) {
   if (now < Instant{settings_.mission_limit}) return;
   out.messages.push_back(event("mission_limit", "the mission takes longer than its limit of " +
                                                     std::to_string(seconds(now).base()) + " s"));
-  for (Member& m : members_) give_up(m, "mission_limit", out);
+  for (const Member& m : members_) forsake(m, "mission_limit", out);
+  abandon(whole(ledger_), "mission_limit", out);
   phase_ = MissionPhase::finished;
 }
 
+/// Its windows become uncertain, the rest of its list is to be shared out.
 void SchedulerNode::lose(Member& m, std::string_view why, Outbox& out) {
-  m.lost = true;
   out.messages.push_back(event("agent_lost", text(m.agent) + ": " + std::string{why}));
-  give_up(m, "agent_lost", out);
+  const auto windows = ledger_.windows(m.agent);
+  std::vector<CellRange> open = open_cells(m);
+  if (is_at_work(m.phase) && !(windows.empty() && open.empty())) {
+    const CellRange at_hand = windows.empty() ? open.front() : windows.front().cells;
+    ++losses_[planner::strip_of(settings_.plan.route, at_hand.first)];
+  }
+  forsake(m, "agent_lost", out);
+  orphans_.insert(orphans_.end(), open.begin(), open.end());
+  m.lost = true;
+  m.sorties.clear();
+  m.pieces.clear();
 }
 
-/// Decides what becomes of the work of an agent that will not do it: nobody else takes it over.
-void SchedulerNode::give_up(Member& m, std::string_view why, Outbox& out) {
-  const std::string reason = " of " + text(m.agent) + ": " + std::string{why};
+void SchedulerNode::forsake(const Member& m, std::string_view why, Outbox& out) {
   for (const CellRange cells : ledger_.forsake(m.agent)) {
-    out.messages.push_back(event("cells_uncertain", text(cells) + reason));
+    out.messages.push_back(
+        event("cells_uncertain", text(cells) + " of " + text(m.agent) + ": " + std::string{why}));
   }
-  for (const CellRange cells : ledger_.abandon(m.share)) {
-    out.messages.push_back(event("cells_abandoned", text(cells) + reason));
+}
+
+void SchedulerNode::abandon(CellRange cells, std::string_view why, Outbox& out) {
+  for (const CellRange run : ledger_.abandon(cells)) {
+    out.messages.push_back(event("cells_abandoned", text(run) + ": " + std::string{why}));
   }
+}
+
+/// The open cells of its list, in the list's order.
+std::vector<CellRange> SchedulerNode::open_cells(const Member& m) const {
+  std::vector<CellRange> open;
+  for (const Piece& piece : m.pieces) {
+    CellRange rest = piece.cells;
+    while (const auto run = ledger_.first_open(rest)) {
+      open.push_back(*run);
+      rest = {end(*run), end(rest) - end(*run)};
+    }
+  }
+  return open;
+}
+
+/// Gives the work of lost agents to the others.
+void SchedulerNode::share_out(Instant now, Outbox& out) {
+  if (phase_ != MissionPhase::flying || orphans_.empty()) return;
+  spare_the_fleet(out);
+  const std::vector<CellRange> orphans = joined(std::exchange(orphans_, {}));
+  std::vector<Member*> able;
+  std::vector<Survivor> survivors;
+  for (Member& m : members_) {
+    const bool is_heard = m.boot && now - m.last_heard < settings_.agent_lease;
+    if (m.lost || !is_heard || m.phase == Phase::offline) continue;
+    able.push_back(&m);
+    survivors.push_back(survivor(m, now));
+  }
+  Takeover shared = take_over(settings_.plan.route, orphans, survivors);
+  for (std::size_t i = 0; i < able.size(); ++i)
+    extend(*able[i], std::move(shared.additions[i]), out);
+  const std::string_view why =
+      able.empty() ? "no aircraft is left" : "out of reach of every aircraft that is left";
+  for (const CellRange cells : shared.nobodys) abandon(cells, why, out);
+}
+
+/// Gives up what is left of strips at which too many were lost.
+void SchedulerNode::spare_the_fleet(Outbox& out) {
+  std::vector<CellRange> left;
+  for (CellRange rest : orphans_) {
+    while (rest.count > 0) {
+      const std::size_t s = planner::strip_of(settings_.plan.route, rest.first);
+      const std::uint32_t stop = std::min(end(rest), end(settings_.plan.route.strips[s].cells));
+      const CellRange part{rest.first, stop - rest.first};
+      rest = {stop, end(rest) - stop};
+      if (losses_[s] < most_losses) {
+        left.push_back(part);
+      } else {
+        abandon(part, std::to_string(losses_[s]) + " aircraft were lost on this strip", out);
+      }
+    }
+  }
+  orphans_ = std::move(left);
+}
+
+/// When it is done with its list, as forecast, or as what is left takes at least; then it is
+/// served.
+Survivor SchedulerNode::survivor(const Member& m, Instant now) const {
+  Survivor s{.vehicle = m.vehicle,
+             .station = m.station,
+             .ready_s = seconds(now.time_since_epoch()).base()};
+  if (m.pieces.empty()) return s;
+  s.vehicle.home = m.station.position;
+  std::uint32_t left = 0;
+  for (const CellRange open : open_cells(m)) left += open.count;
+  for (const GrantWindow& window : ledger_.windows(m.agent)) left += window.cells.count;
+  if (left > 0) {
+    const Seconds least =
+        (static_cast<double>(left) * settings_.plan.route.cell) / m.vehicle.spray_speed;
+    s.ready_s = std::max(m.lands_s, s.ready_s + least.base());
+  }
+  s.ready_s += service_time(m.station, true, 1.0).base();
+  return s;
+}
+
+void SchedulerNode::extend(Member& m, Addition added, Outbox& out) {
+  if (added.sorties.empty()) return;
+  std::uint32_t cells = 0;
+  for (Piece& piece : pieces(added.sorties)) {
+    cells += piece.cells.count;
+    m.pieces.push_back(std::move(piece));
+  }
+  out.messages.push_back(event(
+      "work_taken_over", text(m.agent) + " takes over " + std::to_string(cells) + " cells in " +
+                             std::to_string(added.sorties.size()) + " sorties"));
+  std::move(added.sorties.begin(), added.sorties.end(), std::back_inserter(m.sorties));
+  m.lands_s = added.lands_s;
+  if (m.commanded_at) ++m.revision;
+  m.accepted = false;
+  m.commanded_at.reset();
 }
 
 /// Sends the agent what it lacks.
@@ -203,24 +323,24 @@ void SchedulerNode::command(Member& m, Instant now, Outbox& out) {
   out.messages.push_back(Command{.agent = m.agent,
                                  .target_boot = *m.boot,
                                  .epoch = settings_.epoch,
-                                 .revision = revision,
+                                 .revision = m.revision,
                                  .sorties = m.sorties});
   m.commanded_at = now;
 }
 
-/// Opens windows until enough are open, lowest cells first, so the rest of one closed early comes
-/// before what lies behind it.
+/// Opens windows until enough are open, in the order of the list, so the rest of one closed early
+/// comes before what lies behind it.
 void SchedulerNode::release(Member& m) {
   std::size_t open = ledger_.windows(m.agent).size();
-  for (; open < settings_.windows_ahead; ++open) {
-    const auto run = ledger_.first_open(m.share);
-    if (!run) return;
-    const auto after =
-        std::upper_bound(m.pieces.begin(), m.pieces.end(), run->first,
-                         [](std::uint32_t c, const Piece& p) { return c < p.cells.first; });
-    const std::uint32_t stop = std::min(end(*run), end(std::prev(after)->cells));
-    ledger_.grant(m.agent, {run->first, stop - run->first});
-    m.owes_grant = true;
+  for (const Piece& piece : m.pieces) {
+    while (open < settings_.windows_ahead) {
+      const auto run = ledger_.first_open(piece.cells);
+      if (!run) break;
+      ledger_.grant(m.agent, *run);
+      m.owes_grant = true;
+      ++open;
+    }
+    if (open >= settings_.windows_ahead) return;
   }
 }
 
@@ -228,7 +348,7 @@ void SchedulerNode::send_grant(Member& m, Instant now, Outbox& out) {
   out.messages.push_back(WorkGrant{.agent = m.agent,
                                    .target_boot = *m.boot,
                                    .epoch = settings_.epoch,
-                                   .revision = revision,
+                                   .revision = m.revision,
                                    .closed_through = ledger_.closed_through(m.agent),
                                    .windows = ledger_.windows(m.agent)});
   m.granted_at = now;
@@ -236,13 +356,15 @@ void SchedulerNode::send_grant(Member& m, Instant now, Outbox& out) {
 }
 
 bool SchedulerNode::has_work_left(const Member& m) const {
-  return ledger_.first_open(m.share) || !ledger_.windows(m.agent).empty();
+  const auto is_open = [this](const Piece& p) { return ledger_.first_open(p.cells).has_value(); };
+  return !ledger_.windows(m.agent).empty() ||
+         std::any_of(m.pieces.begin(), m.pieces.end(), is_open);
 }
 
 /// Whether an agent is on the ground for good.
 bool SchedulerNode::is_down(const Member& m) const {
-  const bool has_left = m.phase == Phase::done || m.phase == Phase::offline;
-  return m.lost || has_left || (m.share.count == 0 && m.phase == Phase::idle);
+  const bool stands = m.phase == Phase::done || m.phase == Phase::offline || m.phase == Phase::idle;
+  return m.lost || (stands && !has_work_left(m));
 }
 
 /// Whether an agent's silence means something: once it is down it may be switched off.
@@ -270,7 +392,7 @@ SchedulerState SchedulerNode::state() const {
                        .open_cells = cells.open + cells.granted,
                        .abandoned_cells = cells.abandoned + cells.uncertain,
                        .lost = {}};
-  state.completed = phase_ == MissionPhase::finished && state.abandoned_cells == 0;
+  state.completed = phase_ == MissionPhase::finished && cells.abandoned == 0;
   for (const Member& m : members_) {
     if (m.lost) state.lost.push_back(m.agent);
   }

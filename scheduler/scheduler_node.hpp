@@ -3,6 +3,7 @@
 #include "core/node.hpp"
 #include "scheduler/fleet_plan.hpp"
 #include "scheduler/ledger.hpp"
+#include "scheduler/takeover.hpp"
 
 #include <optional>
 #include <string_view>
@@ -22,13 +23,19 @@ struct SchedulerSettings {
 /// The scheduler of a mission as a node.
 ///
 /// It waits until every agent of the plan has been heard of, commands each its whole plan, and
-/// releases the work window by window: at most one piece each, ids 1, 2, 3, ... per agent. The rest
-/// of a window that was closed early is released again first. All it sends is a level and is sent
-/// again when an agent's heartbeat shows that the agent lacks it, at most every two seconds.
+/// releases the work window by window: at most one piece each, ids 1, 2, 3, ... per agent, in the
+/// order of the agent's list; so the rest of a window that was closed early comes first. All it
+/// sends is a level and is sent again when an agent's heartbeat shows that the agent lacks it, at
+/// most every two seconds.
 ///
-/// An agent silent for longer than its lease is lost and never listened to again in this epoch.
+/// An agent silent for longer than its lease is lost and never listened to again in this epoch. Its
+/// open windows are uncertain for good. The rest of its list is shared over the others, each of
+/// which is sent a new revision: its whole list with sorties added at the end. Strips at which
+/// aircraft are lost again and again, and what nobody reaches, are given up.
+///
 /// The mission is finished when every cell is sprayed or given up and every living agent is down;
-/// completed when none was given up. Cells that the route leaves out are reported at the start.
+/// completed when none was given up but what is uncertain. Cells that the route leaves out are
+/// reported at the start.
 class SchedulerNode {
  public:
   explicit SchedulerNode(SchedulerSettings settings);
@@ -41,13 +48,16 @@ class SchedulerNode {
   /// What the scheduler knows of one agent.
   struct Member {
     AgentId agent;
-    CellRange share;
-    std::vector<SortieOrder> sorties;
-    std::vector<Piece> pieces;
+    Vehicle vehicle;
+    Station station;
+    std::vector<SortieOrder> sorties;  ///< Its list.
+    std::vector<Piece> pieces;         ///< The same without the returns.
+    double lands_s;                    ///< Forecast mission time at which its list is done.
+    std::uint32_t revision = 1;
     std::optional<BootId> boot{};  ///< Of the incarnation listened to.
     Instant last_heard{};
     Phase phase = Phase::idle;
-    bool accepted = false;  ///< The command.
+    bool accepted = false;  ///< The revision.
     bool lost = false;
     std::optional<Instant> commanded_at{}, granted_at{};
     bool owes_grant = false;  ///< The level has changed since it was last sent.
@@ -68,7 +78,13 @@ class SchedulerNode {
   void release(Member& m);
   void send_grant(Member& m, Instant now, Outbox& out);
   void lose(Member& m, std::string_view why, Outbox& out);
-  void give_up(Member& m, std::string_view why, Outbox& out);
+  void forsake(const Member& m, std::string_view why, Outbox& out);
+  void abandon(CellRange cells, std::string_view why, Outbox& out);
+  void share_out(Instant now, Outbox& out);
+  void spare_the_fleet(Outbox& out);
+  void extend(Member& m, Addition added, Outbox& out);
+  Survivor survivor(const Member& m, Instant now) const;
+  std::vector<CellRange> open_cells(const Member& m) const;
   void finish_if_done(Outbox& out);
   void report_state(Instant now, Outbox& out);
   SchedulerState state() const;
@@ -79,7 +95,9 @@ class SchedulerNode {
 
   SchedulerSettings settings_;
   Ledger ledger_;
-  std::vector<Member> members_;  ///< In order of agent id.
+  std::vector<Member> members_;        ///< In order of agent id.
+  std::vector<CellRange> orphans_{};   ///< Open cells of lost agents, not yet shared out.
+  std::vector<std::uint32_t> losses_;  ///< By strip: agents lost at work on it.
   MissionPhase phase_ = MissionPhase::gathering;
   std::optional<MissionPhase> reported_phase_{};
   Instant state_due_{};

@@ -64,6 +64,8 @@ class Reader {
   void take(const SortieReport& report) {
     FlownUav* of = uav(report.agent);
     if (!of) return;
+    std::erase_if(of->sorties,
+                  [&](const SortieReport& told) { return told.sortie == report.sortie; });
     of->sorties.push_back(report);
     if (report.sprayed > Length{}) sprayed_until(report.spray_ended);
   }

@@ -1,6 +1,7 @@
 #include "agents/vehicle/airframe.hpp"
 #include "sim/checkers/laws.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
@@ -68,6 +69,7 @@ class EnergyLaws final : public Checker {
     double unreported_m = 0.0;  // cells passed since the last sortie reported
     std::uint32_t unreported_runs = 0;
     std::uint64_t last_grant = 0;
+    std::uint32_t sorties = 0;        // reported
     std::set<std::uint32_t> unflown;  // cells granted, of which no flight is recorded
     std::optional<TakeOff> take_off;
   };
@@ -133,10 +135,15 @@ class EnergyLaws final : public Checker {
 
   void observe_sortie(const SortieReport& sortie, Instant) {
     Account& account = accounts_[sortie.agent];
+    if (sortie.serviced) {
+      account.filled += sortie.filled;
+      account.tank = std::min(1.0, account.tank + sortie.filled);  // until the next heartbeat
+    }
+    if (sortie.sortie < account.sorties) return;  // told again with its service
+    account.sorties = sortie.sortie + 1;
     account.sprayed_m += sortie.sprayed.base();
     account.unreported_m = 0.0;
     account.unreported_runs = 0;
-    if (sortie.serviced) account.filled += sortie.filled;
     judge_take_off(sortie, account);
     account.take_off.reset();
   }

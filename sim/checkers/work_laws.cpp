@@ -78,6 +78,7 @@ class WorkLaws final : public Checker {
     std::map<std::uint64_t, std::uint32_t> closed;  // cells sprayed, by grant id
     double sortie_m = 0.0;            // cells passed with the valve open in this sortie
     std::uint32_t sortie_pieces = 0;  // straight runs of them
+    std::uint32_t sorties = 0;        // reported
   };
 
   void observe_grant(const WorkGrant& grant, Instant at) {
@@ -193,6 +194,8 @@ class WorkLaws final : public Checker {
   // cell's radius, is 2 - pi / 2 = 0.43 of a cell shorter than the corners it cuts.
   void observe_sortie(const SortieReport& sortie, Instant at) {
     Work& work = work_[sortie.agent];
+    if (sortie.sortie < work.sorties) return;  // told again with its service
+    work.sorties = sortie.sortie + 1;
     const double cell_m = facts_.plan.route.cell.base();
     const double covered_m = work.sortie_m;
     const double slack_m = 0.02 * covered_m + (2.0 + 0.5 * work.sortie_pieces) * cell_m;

@@ -165,13 +165,24 @@ class Deaths(Furrow):
         for command in ("sim", "run"):
             done = furrow(command, deadly, "--quiet", "--out", self.out(command))
             self.assertEqual(done.returncode, 1, done.stderr)
-            self.assertIn("not completed", done.stderr)
+            self.assertIn("expectation missed: missed_m2", done.stderr)
+            self.assertNotIn("not completed", done.stderr)
+            self.assertRegex(done.stderr, r"uncertain since 10\d\.\d s: cells \d+ to \d+")
             self.assertRegex(done.stderr, r"lost at 10\d\.\d s: agent 2: nothing was heard of it")
         self.assertEqual(without_timing(self.out("sim")), without_timing(self.out("run")))
         result = json.loads((self.out("run") / "result.json").read_text())
         self.assertLessEqual(result["faults"][0]["noticed_s"], 100 + 3 + 2)  # lease and heartbeat
 
-    def test_a_killed_agent_process_ends_as_not_completed_with_results(self):
+    def test_work_of_a_lost_agent_is_taken_over_by_sim_and_run_alike(self):
+        for command in ("sim", "run"):
+            done = furrow(command, ROOT / "scenarios/lost_agent.yaml", "--out", self.out(command))
+            self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(without_timing(self.out("sim")), without_timing(self.out("run")))
+        events = (self.out("run") / "events.jsonl").read_bytes()
+        self.assertEqual((self.out("sim") / "events.jsonl").read_bytes(), events)
+        self.assertIn(b"work_taken_over", events)
+
+    def test_a_killed_agent_process_leaves_dry_what_it_held_and_results(self):
         process = self.started("run", self.garden, "--speed", 60, "--out", self.out("run"))
         agents = lambda: [pid for pid, line in processes_in(self.garden).items()
                           if "furrow-agents" in line[0]]

@@ -43,14 +43,14 @@ struct Follower {
   AgentId id;
   std::map<std::uint32_t, int>* sprayed;
   std::uint32_t ordered = 0;
-  bool has_order = false;
+  std::uint32_t revision = 0;
   std::uint32_t done = 0;
   std::uint64_t last_accepted = 0, last_closed = 0;
   std::map<std::uint64_t, CellRange> open{};
   std::vector<Closure> unbooked{};
 
   void hear(const Command& c) {
-    has_order = true;
+    revision = c.revision;
     ordered = 0;
     for (const auto& sortie : c.sorties) {
       for (const auto& piece : sortie.pieces) ordered += piece.cells.count;
@@ -87,9 +87,9 @@ struct Follower {
     AgentState s{};
     s.agent = id;
     s.boot = BootId{number(id)};
-    s.epoch = Epoch{has_order ? 1u : 0u};
-    s.revision = has_order ? 1 : 0;
-    s.phase = !has_order ? Phase::idle : done == ordered ? Phase::done : Phase::spray;
+    s.epoch = Epoch{revision > 0 ? 1u : 0u};
+    s.revision = revision;
+    s.phase = revision == 0 ? Phase::idle : done == ordered ? Phase::done : Phase::spray;
     s.last_grant = last_accepted;
     s.last_closed = last_closed;
     return s;
@@ -200,24 +200,56 @@ TEST_CASE("scheduler_node: windows stay within a piece, two ahead, with ids that
 }
 
 TEST_CASE(
-    "scheduler_node: a killed agent is lost within its lease, its cells are given up with a "
-    "reason",
+    "scheduler_node: a killed agent is lost within its lease, its open windows are uncertain and "
+    "the others take over the rest",
     "[scheduler]") {
   const Run run = fly(settings(seconds{3}), quiet_radio, 1, 3, at_s(3), AgentId{1});
   const auto lost = run.events("agent_lost");
   REQUIRE(lost.size() == 1);
   // Last heard of at 2.02 s, when what it said at 2 s arrived.
   CHECK(lost[0].first == at_s(5) + Duration{20'000'000});
-  CHECK_FALSE(run.events("cells_uncertain").empty());
-  CHECK_FALSE(run.events("cells_abandoned").empty());
+  CHECK(run.events("cells_uncertain").size() == 2);
+  CHECK(run.events("cells_abandoned").empty());
+  CHECK_FALSE(run.events("work_taken_over").empty());
 
   const SchedulerState last = run.states().back();
   CHECK(last.phase == MissionPhase::finished);
-  CHECK_FALSE(last.completed);
+  CHECK(last.completed);
   CHECK(last.lost == std::vector{AgentId{1}});
   CHECK(last.open_cells == 0);
   CHECK(last.sprayed_cells + last.abandoned_cells == strips * cells_per_strip);
-  for (std::uint32_t cell = 30; cell < 60; ++cell) CHECK(run.sprayed.at(cell) == 1);
+  CHECK(last.abandoned_cells <= 20);  // two windows of a strip at most
+  for (const auto& [cell, times] : run.sprayed) CHECK(times == 1);
+}
+
+TEST_CASE("scheduler_node: only those whose list grows are told, in a newer revision",
+          "[scheduler]") {
+  const Run run = fly(settings(seconds{3}), quiet_radio, 1, 3, at_s(3), AgentId{1});
+  std::map<AgentId, std::uint32_t> revisions;
+  for (const Envelope& e : run.log) {
+    const auto* command = std::get_if<Command>(&e.body);
+    if (command == nullptr) continue;
+    CHECK(command->revision <= revisions[command->agent] + 1);
+    revisions[command->agent] = command->revision;
+  }
+  CHECK(revisions[AgentId{1}] == 1);
+  for (const std::uint32_t agent : {2u, 3u}) {
+    const bool takes_over = revisions[AgentId{agent}] == 2;
+    bool is_told = false;
+    for (const auto& [at, taken] : run.events("work_taken_over")) {
+      is_told |= taken.detail.starts_with("agent " + std::to_string(agent) + " ");
+    }
+    CHECK(is_told == takes_over);
+  }
+}
+
+TEST_CASE("scheduler_node: where nobody is left all is given up, with a reason", "[scheduler]") {
+  SchedulerSettings s = settings(seconds{3});
+  s.plan.uavs = {uav_plan(s.plan.route, 1, {0, 6}, {})};
+  const Run run = fly(s, quiet_radio, 1, 1, at_s(3), AgentId{1});
+  REQUIRE_FALSE(run.events("cells_abandoned").empty());
+  CHECK(run.events("cells_abandoned")[0].second.detail.ends_with("no aircraft is left"));
+  CHECK_FALSE(run.states().back().completed);
 }
 
 TEST_CASE("scheduler_node: an agent never heard of is lost after the gathering", "[scheduler]") {
@@ -226,9 +258,8 @@ TEST_CASE("scheduler_node: an agent never heard of is lost after the gathering",
   REQUIRE(lost.size() == 2);
   CHECK(lost[0].first == at_s(10));
   const SchedulerState last = run.states().back();
-  CHECK_FALSE(last.completed);
-  CHECK(last.abandoned_cells == 30);
-  CHECK(last.sprayed_cells == 30);
+  CHECK(last.completed);  // the one that is there sprays all
+  CHECK(last.sprayed_cells == 60);
 }
 
 TEST_CASE("scheduler_node: one that comes back after it was lost is told nothing", "[scheduler]") {

@@ -1,9 +1,8 @@
 // The plan's forecast against the flight: whole missions, planned and simulated in this process.
 
-#include "mission/fleet.hpp"
 #include "mission/load.hpp"
 #include "sim/checkers/laws.hpp"
-#include "sim/simulate.hpp"
+#include "tests/sim/whole_fleet.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -11,19 +10,6 @@
 
 namespace furrow::sim {
 namespace {
-
-Log flown(const mission::Scenario& scenario, const scheduler::FleetPlan& plan) {
-  NodeHost host{scenario.link, scenario.seed};
-  host.add(furrow::scheduler_node(), mission::scheduler_node(scenario, plan), Instant{});
-  for (const Station& s : scenario.stations) {
-    host.add(node(s.id), mission::supply_node(scenario, s.id), Instant{});
-  }
-  for (const Vehicle& v : scenario.uavs) {
-    const BootId boot = mission::first_boot(scenario, node(v.id));
-    host.add(node(v.id), mission::agent_node(scenario, plan.route.ferries, v.id, boot), Instant{});
-  }
-  return simulate(host, scenario.link.latency, Instant{scenario.mission_limit});
-}
 
 /// When the last cell was sprayed, as the agents report their sorties.
 double makespan_s(const Log& log) {

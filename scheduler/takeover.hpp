@@ -1,0 +1,44 @@
+#pragma once
+
+#include "core/station.hpp"
+#include "core/vehicle.hpp"
+#include "core/work.hpp"
+#include "planner/coverage/route.hpp"
+
+#include <span>
+#include <vector>
+
+namespace furrow::scheduler {
+
+/// An aircraft that can be given more work.
+struct Survivor {
+  Vehicle vehicle;  ///< Its home is where it will take off for the added work.
+  Station station;  ///< Where its added sorties end.
+  double ready_s;   ///< Mission time at which it can take off for them.
+};
+
+/// What one aircraft is given besides what it has.
+struct Addition {
+  std::vector<SortieOrder> sorties;  ///< Cells of the whole route; may be empty.
+  double lands_s;                    ///< Forecast; `ready_s` where nothing is added.
+};
+
+/// Work without an owner, shared out.
+struct Takeover {
+  std::vector<Addition> additions;  ///< By survivor.
+  std::vector<CellRange> nobodys;   ///< What no aircraft reaches, in order.
+};
+
+/// Shares `orphans` out so that the last survivor is done as early as can be: one run of whole
+/// strips each (of what is left of them), cut by bisection on the predicted finish, as shares are.
+/// Each is flown with the better of the simple and the unplanned return points. Queues at the
+/// stations are not foreseen. A survivor that cannot reach its run is left out, and all is cut
+/// again for the others.
+///
+/// Time O(survivors^2) cuts at worst, one where every survivor reaches all.
+///
+/// @param orphans  Cells of `route`: rising, apart; may be empty.
+Takeover take_over(const planner::Route& route, std::span<const CellRange> orphans,
+                   std::span<const Survivor> survivors);
+
+}  // namespace furrow::scheduler

@@ -1,0 +1,101 @@
+// Aircraft that are lost at random: no cell is lost with them, none is sprayed twice.
+
+#include "core/random.hpp"
+#include "mission/load.hpp"
+#include "sim/checkers/laws.hpp"
+#include "tests/sim/whole_fleet.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+
+namespace furrow::sim {
+namespace {
+
+/// Four aircraft on 1.2 ha, each back for mix once or twice, at one bay.
+mission::Scenario small_fleet() {
+  auto loaded = mission::load("scenarios/lost_agent.yaml");
+  REQUIRE(loaded);
+  loaded->field.boundary = {at_m(140, 0), at_m(260, 0), at_m(260, 100), at_m(140, 100)};
+  loaded->stations[0].bays = 1;
+  for (Vehicle& v : loaded->uavs) v.spray_endurance = seconds(80);
+  loaded->faults.clear();
+  loaded->mission_limit = std::chrono::hours{2};
+  return *loaded;
+}
+
+/// One to all of the aircraft die at any time of the mission, over a radio that delays and repeats.
+std::vector<mission::Fault> random_faults(Random& random, const mission::Scenario& s,
+                                          double mission_s) {
+  std::vector<mission::Fault> faults;
+  for (const Vehicle& v : s.uavs) {
+    if (!faults.empty() && random.below(2) == 0) continue;
+    const double at_s =
+        static_cast<double>(random.below(static_cast<std::uint64_t>(1.2 * mission_s)));
+    faults.push_back(
+        {.at = instant(seconds(at_s)), .kind = mission::Fault::Kind::agent_kill, .target = v.id});
+  }
+  return faults;
+}
+
+SchedulerState last_word(const Log& log) {
+  SchedulerState last{};
+  for (const Envelope& e : log.envelopes) {
+    if (const auto* state = std::get_if<SchedulerState>(&e.body)) last = *state;
+  }
+  return last;
+}
+
+std::size_t count(const Log& log, std::string_view kind) {
+  return static_cast<std::size_t>(
+      std::count_if(log.envelopes.begin(), log.envelopes.end(), [&](const Envelope& e) {
+        const auto* event = std::get_if<Event>(&e.body);
+        return event != nullptr && event->kind == kind;
+      }));
+}
+
+void fly_random_faults(std::uint64_t first_seed, std::uint64_t runs) {
+  mission::Scenario scenario = small_fleet();
+  const auto plan = scheduler::plan_fleet(mission::fleet_problem(scenario));
+  REQUIRE(plan);
+  std::size_t lost = 0, taken_over = 0;
+  for (std::uint64_t seed = first_seed; seed < first_seed + runs; ++seed) {
+    CAPTURE(seed);
+    Random random{seed};
+    scenario.seed = seed;
+    scenario.faults = random_faults(random, scenario, plan->makespan_s);
+    scenario.link.jitter = Duration{static_cast<std::int64_t>(random.below(300'000'000))};
+    scenario.link.duplication = 0.1;
+    const Log log = flown(scenario, *plan);
+    REQUIRE(log.finished);
+
+    const Facts facts{.field = scenario.field,
+                      .stations = scenario.stations,
+                      .plan = *plan,
+                      .claim_lease = scenario.agent_lease,
+                      .whole = true,
+                      .wind = scenario.wind};
+    for (const Violation& v : violations(facts, log.envelopes, log.ended)) {
+      FAIL("law " << v.law << " at " << seconds(v.at).base() << " s: " << v.detail);
+    }
+    const SchedulerState last = last_word(log);
+    REQUIRE(last.open_cells == 0);
+    REQUIRE(count(log, "agent_lost") == last.lost.size());
+    // Whoever is left sprays what is left.
+    if (last.lost.size() < scenario.uavs.size()) REQUIRE(last.completed);
+    REQUIRE(count(log, "cells_uncertain") <= 2 * last.lost.size());
+    lost += last.lost.size();
+    taken_over += count(log, "work_taken_over");
+  }
+  CHECK(lost >= runs);
+  CHECK(taken_over >= runs);
+}
+
+TEST_CASE("random faults: what lost aircraft leave is sprayed once, by the others", "[sim]") {
+  fly_random_faults(1, 300);
+}
+
+TEST_CASE("a thousand random fault runs", "[.][sim]") { fly_random_faults(1001, 1000); }
+
+}  // namespace
+}  // namespace furrow::sim
