@@ -28,8 +28,7 @@ void AgentNode::fly_one_period(Instant t) {
   aircraft_.fly(stop_m_);
   if (!route_->heights.is_level()) keep_height();
   if (route_piece_ < route_->pieces.size()) work(t);
-  if (t == on_grid(t, whole_second))
-    log_.point(t, aircraft_.truth_m(), aircraft_.altitude_m(), is_valve_open_);
+  note_place(t);
   if (aircraft_.stores.pack_share <= 0.0) return fall(t);
   if (phase_ != Phase::fly_back) watch_stores(t);
   // What blew it off its line may not let it hover either.
@@ -40,6 +39,14 @@ void AgentNode::fly_one_period(Instant t) {
 void AgentNode::keep_height() {
   const double wanted_m = route_->heights.altitude_m(aircraft_.along_m());
   climb_s_ += aircraft_.climb_to(wanted_m, settings_.ferries.relief()->rule());
+}
+
+void AgentNode::note_place(Instant t) {
+  if (t == on_grid(t, whole_second)) {
+    log_.point(t, aircraft_.truth_m(), aircraft_.altitude_m(), is_valve_open_);
+  } else {
+    log_.pass(t, aircraft_.truth_m(), aircraft_.altitude_m(), is_valve_open_);
+  }
 }
 
 // Sprays what lies between the last position along the path and this one.

@@ -51,6 +51,7 @@ class AgentNode {
   bool is_on_tail() const;
   void end_piece(Instant t);
   void expect_next_cell();
+  void note_place(Instant t);
   void move_valve(bool open, Instant t, double share_of_period = 1.0);
   bool is_off_line() const;
   void stray(Instant t);

@@ -232,7 +232,7 @@ struct FlightRecord {
     double largest;
   };
   Deviation truth, fix;
-  std::vector<TrackPoint> track;  ///< Once a second, and where the valve moves.
+  std::vector<TrackPoint> track;  ///< Once a second, at bends, and where the valve moves.
 };
 
 using Body =

@@ -8,6 +8,21 @@
 namespace furrow::agents {
 namespace {
 
+constexpr double bend_m = 0.03;
+
+// Whether the straight line from the first of `passed` to `ahead_m` leaves out the way between.
+bool cuts_corner(const std::vector<TrackPoint>& passed, Xy ahead_m) {
+  if (passed.size() < 2) return false;
+  const Xy from_m = xy_m(passed.front().position);
+  const bool is_still = norm(ahead_m - from_m) == 0;
+  return std::any_of(passed.begin() + 1, passed.end(), [&](const TrackPoint& p) {
+    const Xy place_m = xy_m(p.position);
+    const double away_m =
+        is_still ? norm(place_m - from_m) : std::abs(cross_track_m(from_m, ahead_m, place_m));
+    return away_m > bend_m;
+  });
+}
+
 double offset_m(const Piece& strip, Xy place_m) {
   // A piece of one cell runs in the direction in which it is entered.
   const bool is_one = strip.from == strip.to;
@@ -27,11 +42,29 @@ void add(FlightRecord::Deviation& sum, double cross_m) {
 }  // namespace
 
 void FlightLog::point(Instant at, Xy truth_m, double altitude_m, bool is_spraying) {
-  if (!record_.track.empty() && record_.track.back().at == at) record_.track.pop_back();
-  record_.track.push_back({.at = at,
-                           .position = field_point(truth_m),
-                           .spraying = is_spraying,
-                           .altitude_m = altitude_m});
+  keep_bend(truth_m);
+  keep({.at = at,
+        .position = field_point(truth_m),
+        .spraying = is_spraying,
+        .altitude_m = altitude_m});
+}
+
+void FlightLog::pass(Instant at, Xy truth_m, double altitude_m, bool is_spraying) {
+  keep_bend(truth_m);
+  passed_.push_back({.at = at,
+                     .position = field_point(truth_m),
+                     .spraying = is_spraying,
+                     .altitude_m = altitude_m});
+}
+
+void FlightLog::keep_bend(Xy ahead_m) {
+  if (cuts_corner(passed_, ahead_m)) keep(TrackPoint{passed_.back()});
+}
+
+void FlightLog::keep(const TrackPoint& point) {
+  if (!record_.track.empty() && record_.track.back().at == point.at) record_.track.pop_back();
+  record_.track.push_back(point);
+  passed_ = {point};
 }
 
 void FlightLog::sample(const Piece& strip, const Aircraft& aircraft) {

@@ -12,6 +12,9 @@ class FlightLog {
 
   /// A later word on the same instant replaces the earlier.
   void point(Instant at, Xy truth_m, double altitude_m, bool is_spraying);
+  /// A place passed between points. It becomes a point itself where the line from the point before
+  /// it to a later place would leave out the way by more than 3 cm.
+  void pass(Instant at, Xy truth_m, double altitude_m, bool is_spraying);
   /// A control period on a strip with the valve open.
   void sample(const Piece& strip, const Aircraft& aircraft);
   /// A cell passed with the valve open, in order of the route.
@@ -26,7 +29,12 @@ class FlightLog {
   FlightRecord take();
 
  private:
+  /// Keeps the last place passed where the straight line on to `ahead_m` would leave out the way.
+  void keep_bend(Xy ahead_m);
+  void keep(const TrackPoint& point);
+
   FlightRecord record_{};
+  std::vector<TrackPoint> passed_;  ///< The last point and the places passed since.
 };
 
 }  // namespace furrow::agents
