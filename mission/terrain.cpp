@@ -94,11 +94,19 @@ std::optional<Raster> read_raster(const Section& terrain, const Scenario& scenar
     terrain.fail("file", raster.error().rule, fmt::format("{} in {}", raster.error().value, *file));
     return std::nullopt;
   }
+  const auto lacks = [&](FieldPoint p, const char* rule) {
+    if (holds(*raster, p)) return false;
+    terrain.fail("file", rule, fmt::format("none at ({:.10g}, {:.10g}) m", p.x.base(), p.y.base()));
+    return true;
+  };
   for (const FieldPoint corner : scenario.field.boundary) {
-    if (holds(*raster, corner)) continue;
-    terrain.fail("file", "must hold heights for all of the field",
-                 fmt::format("none at ({:.10g}, {:.10g}) m", corner.x.base(), corner.y.base()));
-    return std::nullopt;
+    if (lacks(corner, "must hold heights for all of the field")) return std::nullopt;
+  }
+  for (const Station& station : scenario.stations) {
+    if (lacks(station.position, "must hold heights for the stations")) return std::nullopt;
+  }
+  for (const Vehicle& uav : scenario.uavs) {
+    if (lacks(uav.home, "must hold heights where aircraft start")) return std::nullopt;
   }
   return std::move(*raster);
 }
