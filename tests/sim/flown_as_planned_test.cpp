@@ -53,6 +53,15 @@ TEST_CASE("flown as planned: unlike aircraft at two stations", "[sim]") {
   CHECK(flown_to_planned(mixed) == Approx(1.0).margin(0.02));
 }
 
+Facts facts_of(const mission::Scenario& scenario, const scheduler::FleetPlan& plan) {
+  return {.field = scenario.field,
+          .stations = scenario.stations,
+          .plan = plan,
+          .claim_lease = scenario.agent_lease,
+          .whole = true,
+          .wind = scenario.wind};
+}
+
 TEST_CASE("flown as planned: over hills, in time and of the packs, at heights that are kept",
           "[sim]") {
   const mission::Scenario hills = scenario("hills");
@@ -71,12 +80,7 @@ TEST_CASE("flown as planned: over hills, in time and of the packs, at heights th
   // What is used beyond the plan, 1.6 %, goes into braking and turning; it is 1.7 % where the same
   // land is level.
   CHECK(used / planned == Approx(1.0).margin(0.02));
-  const Facts facts{.field = hills.field,
-                    .stations = hills.stations,
-                    .plan = *plan,
-                    .claim_lease = hills.agent_lease,
-                    .whole = true,
-                    .wind = hills.wind};
+  const Facts facts = facts_of(hills, *plan);
   for (const Violation& v : violations(facts, log.envelopes, log.ended)) FAIL(v.law << v.detail);
 
   // The same flight, had every height been 2 m less.
@@ -89,6 +93,17 @@ TEST_CASE("flown as planned: over hills, in time and of the packs, at heights th
   const auto broken = violations(facts, low, log.ended);
   REQUIRE(!broken.empty());
   CHECK(broken.front().law == "L23");
+}
+
+TEST_CASE("flown as planned: over terraces of an elevation raster", "[sim]") {
+  const mission::Scenario terraced = scenario("terraced");
+  const auto plan = scheduler::plan_fleet(mission::fleet_problem(terraced));
+  REQUIRE(plan);
+  const Log log = flown(terraced, *plan);
+  REQUIRE(log.finished);
+  CHECK(makespan_s(log) / plan->makespan_s == Approx(1.0).margin(0.02));
+  const auto broken = violations(facts_of(terraced, *plan), log.envelopes, log.ended);
+  for (const Violation& v : broken) FAIL(v.law << ": " << v.detail);
 }
 
 }  // namespace
