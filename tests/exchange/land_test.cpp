@@ -5,7 +5,6 @@
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <limits>
 
 namespace {
@@ -259,27 +258,6 @@ TEST_CASE("Obstacles are read into the frame of the field") {
   CHECK((*obstacles)[1].center.x.base() == Approx(east_m).epsilon(1e-6));
   CHECK(!read_obstacles(folder + "broken/point.geojson", frame));  // no radius
   CHECK(!read_obstacles(folder + "two_fields.kml", frame));
-}
-
-TEST_CASE("Real fields have the area that their files state") {
-  const std::string fields = "../shared/data/fields/";
-  if (!std::filesystem::exists(fields)) {
-    WARN("skipped: " << fields << " is not there");
-    return;
-  }
-  std::size_t stated = 0;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator{fields}) {
-    const std::string extension = entry.path().extension().string();
-    if (!entry.is_regular_file() || extension == ".md") continue;
-    INFO(entry.path());
-    const auto read = read_land(entry.path().string(), 0);
-    INFO((read ? "" : text(read.error())));
-    REQUIRE(read);
-    if (!read->stated_area) continue;
-    ++stated;
-    CHECK(area_m2(read->field) == Approx(read->stated_area->base()).epsilon(1e-3));
-  }
-  CHECK(stated >= 6);
 }
 
 }  // namespace
