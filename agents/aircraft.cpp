@@ -92,7 +92,7 @@ double Aircraft::climb_to(double altitude_m, const planner::HeightRule& rule) {
   const double rise_m = std::clamp(altitude_m - altitude_m_, least_m, most_m);
   altitude_m_ += rise_m;
   const double level_s = rule.climb_energy_s_per_m * std::max(0.0, rise_m);
-  stores.climb(vehicle_, level_s);
+  stores.fly(vehicle_, level_s);
   return level_s;
 }
 

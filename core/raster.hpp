@@ -2,6 +2,7 @@
 
 #include "core/geometry.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -20,5 +21,13 @@ struct Raster {
 struct Extent {
   FieldPoint south_west, north_east;
 };
+
+/// Grows `extent` so far that it holds all within `around` of `p` along either axis.
+inline void cover(Extent& extent, FieldPoint p, Length around = {}) {
+  extent.south_west.x = std::min(extent.south_west.x, p.x - around);
+  extent.south_west.y = std::min(extent.south_west.y, p.y - around);
+  extent.north_east.x = std::max(extent.north_east.x, p.x + around);
+  extent.north_east.y = std::max(extent.north_east.y, p.y + around);
+}
 
 }  // namespace furrow

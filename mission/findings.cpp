@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <numeric>
 #include <tuple>
 
@@ -82,6 +83,10 @@ void Findings::judge(const Asked& asked) {
           value);
     }
   }
+}
+
+std::string Findings::beside(const std::string& path) const {
+  return (std::filesystem::path{file_}.parent_path() / path).string();
 }
 
 std::vector<ScenarioError> Findings::sorted() const { return by_line(errors_); }

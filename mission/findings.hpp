@@ -27,6 +27,8 @@ class Findings {
   void judge_keys();
 
   const std::string& file() const { return file_; }
+  /// A path that the file names: relative to the file's folder.
+  std::string beside(const std::string& path) const;
   bool is_survey() const { return survey_ != nullptr; }
   std::size_t count() const { return errors_.size(); }
   /// One line each, sorted as the errors.

@@ -101,4 +101,20 @@ AnyNode agent_node(const Scenario& scenario, const planner::FerryMap& ferries, A
                                     .boot = boot}}};
 }
 
+NodeHost whole_fleet(const Scenario& scenario, const scheduler::FleetPlan& plan) {
+  NodeHost host{scenario.link, scenario.seed};
+  const auto add = [&](NodeId id, AnyNode node) {
+    host.add(id, std::move(node), Instant{}, death(scenario, id));
+  };
+  add(furrow::scheduler_node(), scheduler_node(scenario, plan));
+  for (const Station& station : scenario.stations) {
+    add(node(station.id), supply_node(scenario, station.id));
+  }
+  for (const Vehicle& uav : scenario.uavs) {
+    const NodeId id = node(uav.id);
+    add(id, agent_node(scenario, plan.route.ferries, uav.id, first_boot(scenario, id)));
+  }
+  return host;
+}
+
 }  // namespace furrow::mission

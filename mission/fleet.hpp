@@ -2,6 +2,7 @@
 // From a scenario to the nodes that fly it: the same for the simulator and for every process.
 
 #include "core/node.hpp"
+#include "core/node_host.hpp"
 #include "mission/scenario.hpp"
 #include "scheduler/fleet_plan.hpp"
 #include "scheduler/plan_fleet.hpp"
@@ -24,5 +25,8 @@ AnyNode supply_node(const Scenario& scenario, StationId station);
 /// @param ferries  Of the scenario, as `scheduler::ferry_map` makes it and its plan holds it.
 AnyNode agent_node(const Scenario& scenario, const planner::FerryMap& ferries, AgentId agent,
                    BootId boot);
+
+/// All nodes of the mission in one host, to die as the scenario's faults say.
+NodeHost whole_fleet(const Scenario& scenario, const scheduler::FleetPlan& plan);
 
 }  // namespace furrow::mission

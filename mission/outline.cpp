@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <filesystem>
 
 namespace furrow::mission {
 namespace {
@@ -63,9 +62,7 @@ void read_land(const Section& s, const std::string& file, std::optional<std::siz
                Scenario& out) {
   const std::string rule = "must be left out where file is given";
   for (const char* key : {"boundary_m", "holes_m", "datum"}) s.refuse(key, rule);
-  // A path in a scenario is relative to the scenario's folder.
-  const auto path = std::filesystem::path{s.findings().file()}.parent_path() / file;
-  auto land = exchange::read_land(path.string(), feature);
+  auto land = exchange::read_land(s.findings().beside(file), feature);
   if (!land) {
     s.fail(land_file, land.error().rule, fmt::format("{} in {}", land.error().value, file));
     return;

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <numbers>
 #include <set>
 
@@ -94,11 +93,6 @@ planner::CoverageModel read_coverage(const Section& s) {
   return swath;
 }
 
-// A path in a scenario is relative to the scenario's folder.
-std::string beside(const Section& s, const std::string& path) {
-  return (std::filesystem::path{s.findings().file()}.parent_path() / path).string();
-}
-
 // The heading of the strips: a number, or the way from A to B.
 std::optional<double> read_direction(const Section& s) {
   const auto heading = s.optional_number("work_direction_deg", from_below(0, 360), "searched");
@@ -156,7 +150,8 @@ void read_obstacles_file(const Section& root, const Scenario& scenario,
     root.fail("obstacles_file", "needs field.file or field.datum, its places being on the globe");
     return;
   }
-  auto read = exchange::read_obstacles(beside(root, *file), exchange::LocalFrame{*scenario.datum});
+  auto read = exchange::read_obstacles(root.findings().beside(*file),
+                                       exchange::LocalFrame{*scenario.datum});
   if (!read) {
     root.fail("obstacles_file", read.error().rule,
               fmt::format("{} in {}", read.error().value, *file));

@@ -4,8 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
-
 namespace furrow::mission {
 namespace {
 
@@ -86,10 +84,9 @@ std::optional<Raster> read_raster(const Section& terrain, const Scenario& scenar
   for (const char* key : {"peaks", "base"}) {
     if (terrain.has(key)) terrain.fail(key, "must be left out where file is given");
   }
-  const auto path = std::filesystem::path{terrain.findings().file()}.parent_path() / *file;
   // A file without a CRS is in the field frame whatever the datum.
   const auto frame = exchange::LocalFrame{scenario.datum.value_or(exchange::Datum{})};
-  auto raster = exchange::read_heights(path.string(), frame);
+  auto raster = exchange::read_heights(terrain.findings().beside(*file), frame);
   if (!raster) {
     terrain.fail("file", raster.error().rule, fmt::format("{} in {}", raster.error().value, *file));
     return std::nullopt;

@@ -4,7 +4,6 @@
 
 #include <optional>
 #include <string>
-#include <string_view>
 
 namespace furrow::planner {
 
@@ -26,21 +25,5 @@ struct PlanError {
   std::string detail;  ///< The ring, cell, aircraft or station at fault, with numbers and units.
   std::optional<FieldPoint> at = {};  ///< Where the fault lies, if at one place.
 };
-
-/// The stable name used in logs and error messages.
-constexpr std::string_view name(PlanFault fault) {
-  switch (fault) {
-    case PlanFault::field_invalid: return "field_invalid";
-    case PlanFault::nothing_to_spray: return "nothing_to_spray";
-    case PlanFault::start_not_workable: return "start_not_workable";
-    case PlanFault::direction_unsupported: return "direction_unsupported";
-    case PlanFault::out_of_reach: return "out_of_reach";
-    case PlanFault::tank_too_small: return "tank_too_small";
-    case PlanFault::swaths_differ: return "swaths_differ";
-    case PlanFault::margin_too_wide: return "margin_too_wide";
-    case PlanFault::too_many_rows: return "too_many_rows";
-  }
-  return "unknown";
-}
 
 }  // namespace furrow::planner

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <limits>
 #include <string>
 
 namespace furrow::scheduler {
@@ -184,44 +183,19 @@ double lower_bound_s(const FleetProblem& problem, const Sketch& s, const Solved&
   return std::min(bound_s, found.returns.forecast.makespan_s);
 }
 
-double nearest_m(const Ring& ring, FieldPoint p) {
-  double best_m = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const FieldPoint a = ring[i], b = ring[(i + 1) % ring.size()];
-    const double x = (b.x - a.x).base(), y = (b.y - a.y).base(), square = x * x + y * y;
-    const double share =
-        square > 0 ? ((p.x - a.x).base() * x + (p.y - a.y).base() * y) / square : 0;
-    const double t = std::clamp(share, 0.0, 1.0);
-    best_m = std::min(best_m, distance(p, a + FieldVector{metres(t * x), metres(t * y)}).base());
-  }
-  return best_m;
-}
-
 bool is_over(const planner::KeepOut& volume, const Ring& boundary) {
   const FieldPoint axis = at_m(volume.x_m, volume.y_m);
-  bool is_inside = false;
-  for (std::size_t i = 0, j = boundary.size() - 1; i < boundary.size(); j = i++) {
-    const FieldPoint a = boundary[i], b = boundary[j];
-    if ((a.y > axis.y) == (b.y > axis.y)) continue;
-    const double t = (axis.y - a.y).base() / (b.y - a.y).base();
-    if (axis.x.base() < a.x.base() + t * (b.x - a.x).base()) is_inside = !is_inside;
-  }
-  return is_inside || nearest_m(boundary, axis) < volume.radius_m;
+  return contains(boundary, axis) || edge_distance(boundary, axis).base() < volume.radius_m;
 }
 
 // All that ferries may fly over: the field, and the stands with their aprons (see FerryMap).
 Extent flown_over(const Field& field, const std::vector<FieldPoint>& stands) {
-  constexpr double apron = 1.6, spare_m = 30;
+  constexpr double apron = 1.6;
+  constexpr Length spare = metres(30);
   Extent all{field.boundary.front(), field.boundary.front()};
-  const auto cover = [&](FieldPoint p, Length around) {
-    all.south_west.x = std::min(all.south_west.x, p.x - around);
-    all.south_west.y = std::min(all.south_west.y, p.y - around);
-    all.north_east.x = std::max(all.north_east.x, p.x + around);
-    all.north_east.y = std::max(all.north_east.y, p.y + around);
-  };
-  for (const FieldPoint p : field.boundary) cover(p, metres(spare_m));
+  for (const FieldPoint p : field.boundary) cover(all, p, spare);
   for (const FieldPoint stand : stands) {
-    cover(stand, metres(spare_m + apron * nearest_m(field.boundary, stand)));
+    cover(all, stand, spare + apron * edge_distance(field.boundary, stand));
   }
   return all;
 }

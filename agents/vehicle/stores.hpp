@@ -12,12 +12,8 @@ struct Stores {
   double pack_share = 1.0;
 
   void spray(const Vehicle& v, double along_m) { tank_share -= along_m / tank_range(v).base(); }
+  /// @param time_s  Of level flight; a climb counts as the level flight that takes as much.
   void fly(const Vehicle& v, double time_s) { pack_share -= time_s / v.flight_endurance.base(); }
-
-  /// @param level_s  What the climb takes, in seconds of level flight.
-  void climb(const Vehicle& v, double level_s) {
-    pack_share -= level_s / v.flight_endurance.base();
-  }
 
   /// Distance the tank still sprays [m].
   double spray_left_m(const Vehicle& v) const { return tank_share * tank_range(v).base(); }

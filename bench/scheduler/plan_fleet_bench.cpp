@@ -1,9 +1,11 @@
 // Planning a fleet's mission: the field of Wang et al. 2017 with three aircraft, and twenty on
-// about 100 ha. Counters: makespan and its lower bound in seconds, gap in per cent.
+// about 100 ha. Counters: makespan and its lower bound in seconds, gap in per cent. And what is
+// left of a lost aircraft's share, taken over by the others.
 
 #include "scheduler/draft.hpp"
 #include "scheduler/forecast.hpp"
 #include "scheduler/plan_fleet.hpp"
+#include "scheduler/takeover.hpp"
 
 #include <benchmark/benchmark.h>
 
@@ -103,6 +105,24 @@ void BM_draft_hundred_hectares(benchmark::State& state) {
   }
 }
 BENCHMARK(BM_draft_hundred_hectares)->Unit(benchmark::kMillisecond);
+
+// One of twenty lost after a fifth of its share.
+void BM_takeover_of_one_of_twenty(benchmark::State& state) {
+  const FleetProblem p = hundred_hectares();
+  const auto coverage = planner::cover(p.field, metres(2), p.coverage);
+  const planner::Route* route = &coverage->route;
+  const auto share = static_cast<std::uint32_t>(route->centers.size() / 20);
+  const std::vector<CellRange> orphans{{share + share / 5, share - share / 5}};
+  std::vector<Survivor> survivors;
+  for (std::uint32_t i = 1; i < 20; ++i) {
+    survivors.push_back(
+        {.vehicle = p.vehicles[i], .station = p.stations[i % 2], .ready_s = 5000.0 + 10.0 * i});
+  }
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(take_over(*route, orphans, survivors).additions.size());
+  }
+}
+BENCHMARK(BM_takeover_of_one_of_twenty)->Unit(benchmark::kMillisecond);
 
 // Twenty aircraft, ten returns each, at two stations of two bays.
 void BM_forecast(benchmark::State& state) {

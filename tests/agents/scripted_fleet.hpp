@@ -229,4 +229,20 @@ inline std::vector<Phase> phases(const std::vector<Envelope>& log) {
   return entered;
 }
 
+inline constexpr Instant mission_start{};
+inline constexpr Instant an_hour = mission_start + 3600 * second;
+
+// Three strips of 100 cells, home after the 50th cell of the second.
+inline ScriptedScheduler three_strips() { return {.sorties = two_sorties(strips(3, 100), 149)}; }
+
+inline std::vector<std::string> event_kinds(const std::vector<Envelope>& log) {
+  std::vector<std::string> kinds;
+  for (const Event& e : all<Event>(log)) kinds.push_back(e.kind);
+  return kinds;
+}
+
+inline bool contains(const std::vector<std::string>& kinds, const std::string& kind) {
+  return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+}
+
 }  // namespace furrow::agents

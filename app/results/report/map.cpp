@@ -116,14 +116,8 @@ class Panels {
     const planner::Relief* relief = route_.ferries.relief();
     if (relief == nullptr) return;
     Extent extent{record_.scenario.field.boundary.front(), record_.scenario.field.boundary.front()};
-    const auto cover = [&](FieldPoint p) {
-      extent.south_west.x = std::min(extent.south_west.x, p.x);
-      extent.south_west.y = std::min(extent.south_west.y, p.y);
-      extent.north_east.x = std::max(extent.north_east.x, p.x);
-      extent.north_east.y = std::max(extent.north_east.y, p.y);
-    };
-    for (const FieldPoint p : record_.scenario.field.boundary) cover(p);
-    for (const Station& s : record_.scenario.stations) cover(s.position);
+    for (const FieldPoint p : record_.scenario.field.boundary) cover(extent, p);
+    for (const Station& s : record_.scenario.stations) cover(extent, s.position);
     const Contours lines = contours(relief->surface(), extent);
     Chains chains;
     chains.reserve(lines.pieces.size());

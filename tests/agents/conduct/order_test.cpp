@@ -1,5 +1,7 @@
 #include "agents/conduct/order.hpp"
 
+#include "tests/agents/scripted_fleet.hpp"
+
 #include <catch2/catch.hpp>
 
 namespace furrow::agents {
@@ -37,12 +39,7 @@ TEST_CASE("order: cells come in the order of its pieces, whatever their numbers"
 }
 
 TEST_CASE("order: a cell ordered twice is refused", "[agents]") {
-  const std::vector<Station> stations{Station{.id = StationId{1},
-                                              .position = {},
-                                              .bays = 1,
-                                              .battery_swap = {},
-                                              .fill_base = {},
-                                              .fill_full = {}}};
+  const std::vector<Station> stations{depot()};
   Command command = backwards();
   CHECK_FALSE(fault_in(command, stations));
   command.sorties[1].pieces[0] = piece({6, 5});
@@ -55,12 +52,7 @@ TEST_CASE("order: begins behind what is sprayed, which comes first or is refused
   CHECK(order.next_cell() == 1);
   CHECK(Order{backwards(), {10, 11, 12, 13, 14, 0, 1, 2, 3, 4}}.is_finished());
   CHECK(fault_in(backwards(), {}, {}) == "station 1 is unknown");
-  const std::vector<Station> stations{Station{.id = StationId{1},
-                                              .position = {},
-                                              .bays = 1,
-                                              .battery_swap = {},
-                                              .fill_base = {},
-                                              .fill_full = {}}};
+  const std::vector<Station> stations{depot()};
   CHECK_FALSE(fault_in(backwards(), stations, {10, 11}));
   CHECK(fault_in(backwards(), stations, {10, 12}) == "cell 12 is sprayed already");
 }

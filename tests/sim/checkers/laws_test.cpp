@@ -1,0 +1,68 @@
+#include "tests/sim/checkers/scripted_log.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace furrow::sim {
+namespace {
+
+TEST_CASE("laws: L17 a gap or a step back in the log", "[sim]") {
+  Script gap = clean_run();
+  gap.seq[scheduler_node()] = 7;
+  gap.say(scheduler_node(), 6, finished(4, 0));
+  CHECK(broken_laws(facts(), gap) == Laws{"L17"});
+
+  Script back = clean_run();
+  back.say(scheduler_node(), 4, finished(4, 0));
+  CHECK(broken_laws(facts(), back) == Laws{"L17"});
+}
+
+TEST_CASE("laws: L22 a track too near to an obstacle that the plan flies around", "[sim]") {
+  // A tree of 0.5 m, 1 m of safety: nine tenths of it are left at 1.4 m from its centre.
+  Facts f = facts();
+  f.field.obstacles = {{"tree", at_m(20, 4), metres(0.5)}};
+  const auto broken_at = [&](double away_m) {
+    Script s = clean_run();
+    FlightRecord record = flight({0, 0});
+    record.track = {{at(6), at_m(20 - away_m, 4), false}};
+    s.say(node(one), 6, record);
+    s.say(scheduler_node(), 7, finished(4, 0));
+    return broken_laws(f, s);
+  };
+  CHECK(broken_at(1.3).empty());  // no plan to keep clear
+  f.plan.sweep.emplace();
+  f.plan.sweep->avoidance.emplace().safety = metres(1);
+  CHECK(broken_at(1.41).empty());
+  CHECK(broken_at(1.39) == std::vector<std::string>{"L22"});
+  f.plan.uavs[0].vehicle.gnss.bias = metres(0.5);
+  CHECK(broken_at(1.0).empty());
+}
+
+TEST_CASE("laws: L21 messages of strangers are told once and judged no further", "[sim]") {
+  constexpr AgentId stranger{9};
+  Script s = clean_run();
+  SECTION("an agent's state, flight, report, sortie and claim") {
+    AgentState state = heard(Phase::spray, 0.0, at_m(0, 1000));
+    state.agent = stranger;
+    s.say(node(stranger), 6, state);
+    FlightRecord record = flight({0, 0});
+    record.agent = stranger;
+    record.track = {{at(6), at_m(500, 500), true}};
+    s.say(node(stranger), 6, record);
+    SortieReport sortie{};
+    sortie.agent = stranger;
+    s.say(node(stranger), 6, sortie);
+    WorkReport report{.agent = stranger, .boot = BootId{1}, .epoch = Epoch{1}, .closures = {}};
+    s.say(node(stranger), 6, report);
+    s.say(node(stranger), 6, claim(stranger, ClaimStatus::waiting, 0, 6));
+    s.say(node(depot), 6.5, bay_one(stranger, 1, 6.5));
+  }
+  SECTION("a station's state") {
+    s.say(node(StationId{9}), 6,
+          StationState{.station = StationId{9}, .bays = {}, .queue = {}, .swaps = 0, .filled = {}});
+  }
+  s.say(scheduler_node(), 7, finished(4, 0));
+  CHECK(broken_laws(facts(), s) == Laws{"L21"});
+}
+
+}  // namespace
+}  // namespace furrow::sim
