@@ -32,6 +32,15 @@ void check_swaths(const Draft& draft) {
   }
 }
 
+void check_overlap(const Section& coverage, const Draft& draft) {
+  const auto* swath = std::get_if<planner::SwathSettings>(&draft.scenario.coverage);
+  if (!swath || !swath->row_overlap) return;
+  const Length most = 0.5 * draft.scenario.uavs[0].swath;
+  if (*swath->row_overlap <= most) return;
+  coverage.fail("row_overlap_m",
+                fmt::format("must be at most half the swath, {:.10g}", most.base()));
+}
+
 // Keeps a grid over the field within memory.
 void check_cells(const Draft& draft) {
   if (!std::holds_alternative<planner::CoverageSettings>(draft.scenario.coverage)) return;
@@ -98,6 +107,7 @@ void check_together(const Section& root, const Draft& draft) {
   const bool field = draft.field_in_order, fleet = draft.fleet_in_order;
   if (field) check_start(root.section("field"), draft.scenario);
   if (fleet) check_swaths(draft);
+  if (field && fleet) check_overlap(root.section("field").section("coverage"), draft);
   if (field && fleet) check_cells(draft);
   if (field && fleet && draft.supply_in_order) check_reach(draft);
   if (fleet && draft.faults_in_order) check_faults(draft);

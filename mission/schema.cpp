@@ -20,9 +20,9 @@ constexpr std::uint64_t most_id = 1'000'000;
 
 // Keys that concern one coverage model only.
 constexpr std::array grid_keys{"straight_reward", "turn_reward", "min_region_cells"};
-constexpr std::array swath_keys{"hole_buffer_m",    "edges",       "last_row",
-                                "cells_may_differ", "min_strip_m", "headland_passes",
-                                "headland_turn",    "turn_cost_m", "avoidance"};
+constexpr std::array swath_keys{
+    "hole_buffer_m", "edges",           "last_row",      "cells_may_differ", "min_strip_m",
+    "row_overlap_m", "headland_passes", "headland_turn", "turn_cost_m",      "avoidance"};
 
 planner::CoverageSettings read_grid(const Section& s, Length margin) {
   planner::CoverageSettings grid;
@@ -67,6 +67,9 @@ planner::SwathSettings read_swath(const Section& s, Length margin) {
   swath.last_row = static_cast<LastRow>(s.choice("last_row", {"shifted", "narrowed"}, 0));
   swath.cells_may_differ = s.flag("cells_may_differ", true);
   swath.min_strip = metres(s.number("min_strip_m", from_to(0, 10'000), 0));
+  const auto overlap = s.optional_number("row_overlap_m", from_to(0, 50),
+                                         "3 gnss.sigma_m, a tenth of the swath at most");
+  if (overlap) swath.row_overlap = metres(*overlap);
   swath.headland_passes = static_cast<int>(s.whole("headland_passes", 0, 100, 0));
   swath.headland_turn =
       static_cast<HeadlandTurn>(s.choice("headland_turn", {"clockwise", "counter_clockwise"}, 1));

@@ -28,8 +28,7 @@ void connect(const planner::Route& whole, const planner::Strip& before, planner:
     next.approach = strip.approach;
     return;
   }
-  const std::vector<FieldPoint> way = whole.ferries.way(before.end, next.begin);
-  if (way.size() > 2) next.approach.assign(way.begin() + 1, way.end() - 1);
+  next.approach = approach_over(whole.ferries, before, next);
 }
 
 }  // namespace

@@ -10,8 +10,8 @@ Way way_at_work(const SortieOrder& sortie) {
   Way way;
   for (const Piece& piece : sortie.pieces) {
     if (!way.empty()) way.insert(way.end(), piece.approach.begin(), piece.approach.end());
-    way.push_back(piece.entry);
-    way.push_back(piece.exit);
+    // From the cell before, a strip of cells is entered askew.
+    way.insert(way.end(), {piece.entry, piece.from, piece.exit});
   }
   return way;
 }

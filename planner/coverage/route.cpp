@@ -106,6 +106,12 @@ Length approach_length(const Strip& before, const Strip& strip) {
   return sum + distance(at, strip.begin);
 }
 
+std::vector<FieldPoint> approach_over(const FerryMap& ferries, const Strip& before,
+                                      const Strip& strip) {
+  const std::vector<FieldPoint> way = ferries.way(before.end, strip.begin);
+  return {way.begin() + 1, way.end() - 1};
+}
+
 std::vector<CellStop> cell_stops(const Route& route, CellRange cells) {
   require(cells.count > 0 && end(cells) <= route.centers.size(),
           "a share is not empty and lies within the route");

@@ -78,6 +78,11 @@ std::vector<double> cell_lengths_m(const Route& route);
 /// Length of the ferry from the end of `before` to the beginning of `strip`.
 Length approach_length(const Strip& before, const Strip& strip);
 
+/// Way points of the shortest ferry over `ferries` from the end of `before` to the beginning of
+/// `strip`.
+std::vector<FieldPoint> approach_over(const FerryMap& ferries, const Strip& before,
+                                      const Strip& strip);
+
 /// A cell as something to return after, in metres.
 struct CellStop {
   FieldPoint stop;    ///< Where the valve closes when the aircraft returns after this cell.

@@ -44,5 +44,21 @@ TEST_CASE("fleet: a station holds a silent agent's bay for the scenario's lease"
   CHECK_FALSE(is_served_at(*scenario, std::chrono::seconds{10}, at));
 }
 
+TEST_CASE("fleet: rows overlap as the fixes of the fleet ask, unless the scenario says how much",
+          "[mission]") {
+  auto scenario = load("scenarios/garden.yaml");
+  REQUIRE(scenario);
+  const auto overlap = [&] {
+    const scheduler::FleetProblem plan = fleet_problem(*scenario);
+    return *std::get<planner::SwathSettings>(plan.coverage).row_overlap;
+  };
+  scenario->uavs[0].gnss.sigma = metres(0.02);
+  CHECK(overlap().base() == Approx(0.06));
+  scenario->uavs[0].gnss.sigma = metres(1.5);
+  CHECK(overlap() == 0.1 * scenario->uavs[0].swath);
+  std::get<planner::SwathSettings>(scenario->coverage).row_overlap = metres(0);
+  CHECK(overlap() == metres(0));
+}
+
 }  // namespace
 }  // namespace furrow::mission

@@ -49,6 +49,7 @@ TEST_CASE("load: what a scenario leaves out has its default", "[mission]") {
   CHECK(swath.last_row == planner::LastRow::shifted);
   CHECK(swath.cells_may_differ);
   CHECK(swath.min_strip == metres(0));
+  CHECK_FALSE(swath.row_overlap);
   CHECK(swath.headland_passes == 0);
   CHECK(swath.turn_cost == metres(5));
   REQUIRE(s.stations.size() == 1);

@@ -18,12 +18,13 @@ class RowStack {
   RowStack(PointM a, PointM b, double half_m)
       : frame_{RowFrame::along(b - a)}, half_m_{half_m}, spans_{span(a, b)} {}
 
-  // Whether the row lies exactly one width beside the last one and overlaps it; adds it if so.
+  // Whether the row lies beside the last one, at most one width and at least half of it away, with
+  // a stretch alongside; adds it if so.
   bool takes(PointM a, PointM b, double half_m) {
     const Span next = span(a, b), last = spans_.back();
-    const double step_m = next.v_m - last.v_m;
+    const double step_m = next.v_m - last.v_m, away_m = std::abs(step_m);
     const bool straight = std::abs(frame_.to(b).y - frame_.to(a).y) <= same_m;
-    const bool beside = std::abs(std::abs(step_m) - 2 * half_m_) <= same_m &&
+    const bool beside = away_m <= 2 * half_m_ + same_m && away_m >= half_m_ + same_m &&
                         (spans_.size() == 1 || (step_m > 0) == upwards_);
     const bool overlaps =
         std::min(next.high_m, last.high_m) - std::max(next.low_m, last.low_m) > same_m;
@@ -38,11 +39,19 @@ class RowStack {
     if (!upwards_) std::reverse(rows.begin(), rows.end());
     RingM right, left;
     double bottom_m = rows.front().v_m - half_m_;
-    for (const Span& row : rows) {
-      const double top_m = row.v_m + half_m_;
-      right.insert(right.end(), {{row.high_m, bottom_m}, {row.high_m, top_m}});
-      left.insert(left.end(), {{row.low_m, bottom_m}, {row.low_m, top_m}});
+    const auto band = [&](double low_m, double high_m, double top_m) {
+      right.insert(right.end(), {{high_m, bottom_m}, {high_m, top_m}});
+      left.insert(left.end(), {{low_m, bottom_m}, {low_m, top_m}});
       bottom_m = top_m;
+    };
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const Span row = rows[i];
+      const double top_m = row.v_m + half_m_;
+      const bool overlapped = i + 1 < rows.size() && rows[i + 1].v_m - half_m_ < top_m - same_m;
+      band(row.low_m, row.high_m, overlapped ? rows[i + 1].v_m - half_m_ : top_m);
+      if (!overlapped) continue;
+      const Span next = rows[i + 1];
+      band(std::min(row.low_m, next.low_m), std::max(row.high_m, next.high_m), top_m);
     }
     LandPart made{std::move(right), {}};
     made.outer.insert(made.outer.end(), left.rbegin(), left.rend());

@@ -30,6 +30,9 @@ struct SwathSettings {
   Length spray_margin{};  ///< In `stay_inside`: least distance of sprayed bands from every edge,
                           ///< for what the position may err, >= 0.
   LastRow last_row = LastRow::shifted;
+  /// By how much neighbouring rows overlap, so that none of the errors flown leave gaps, >= 0 and
+  /// below the swath; none when left out. Along edges of `cover_all`, half of it is overspray.
+  std::optional<Length> row_overlap{};
   /// Heading of the rows, clockwise from north, as along an AB line; searched when left out.
   std::optional<double> direction_deg{};
   bool cells_may_differ = true;  ///< Without a direction: whether cells choose their own.

@@ -189,7 +189,11 @@ Expected<SwathCoverage, PlanError> swath_coverage(const Field& field, Length swa
   require(settings.min_strip >= Length{} && settings.spray_margin >= Length{} &&
               settings.headland_passes >= 0 && settings.turn_cost >= Length{},
           "least strips, headland passes and turn costs are at least 0");
-  const Length kept = settings.edges == EdgeMode::stay_inside ? settings.spray_margin : Length{};
+  const Length overlap = settings.row_overlap.value_or(Length{});
+  require(overlap >= Length{} && overlap < swath, "rows overlap by less than a swath");
+  // Bands narrower by the overlap are laid edge to edge, then widened to both sides.
+  const Length kept =
+      settings.edges == EdgeMode::stay_inside ? settings.spray_margin + 0.5 * overlap : Length{};
   const Length margin = std::max(settings.margin, kept);
   const auto land = field_land(field, margin, settings.hole_buffer);
   if (!land) return Unexpected{land.error()};
@@ -198,7 +202,7 @@ Expected<SwathCoverage, PlanError> swath_coverage(const Field& field, Length swa
   sprayable.land = offset(land->land, -kept.base());
   if (auto error = too_many_rows(land->land, swath.base())) return Unexpected{*error};
 
-  PlanRule rule{swath.base(), (margin - kept).base(), settings, std::nullopt};
+  PlanRule rule{(swath - overlap).base(), (margin - kept).base(), settings, std::nullopt};
   if (settings.near) rule.start = plane_point(*settings.near, land->origin);
   std::optional<RowDirection> direction;
   if (settings.direction_deg) {
@@ -206,12 +210,13 @@ Expected<SwathCoverage, PlanError> swath_coverage(const Field& field, Length swa
   } else if (!settings.cells_may_differ) {
     direction = ranked_directions(land->flight, rule, 1).front();
   }
-  const Laid laid = lay_parts(sprayable, direction, rule);
+  Laid laid = lay_parts(sprayable, direction, rule);
   if (laid.strips.empty()) {
     return Unexpected{PlanError{PlanFault::nothing_to_spray,
                                 fmt::format("no strip of {} m swath and at least {} m fits",
                                             swath.base(), settings.min_strip.base())}};
   }
+  for (OrderedStrip& strip : laid.strips) strip.strip.half_width_m += overlap.base() / 2;
   return coverage_of(laid, *land);
 }
 

@@ -88,3 +88,39 @@ TEST_CASE("what positions may err is kept from the edge where nothing outside ma
   CHECK(c->areas.covered.base() == Approx(99.8 * 9.8).margin(0.01));
   CHECK(c->areas.outside.base() == Approx(0).margin(1e-6));
 }
+
+TEST_CASE("rows that overlap cover the same land with more of them, and half the overlap beyond") {
+  const Field field{.boundary = {at_m(0, 0), at_m(100, 0), at_m(100, 10), at_m(0, 10)},
+                    .holes = {},
+                    .obstacles = {}};
+  // Rows 1.8 m apart: six, the last shifted over the one before; 0.1 m beyond both long edges.
+  const auto all =
+      swath_coverage(field, metres(2), {.row_overlap = metres(0.2), .direction_deg = 90});
+  REQUIRE(all);
+  CHECK(all->strips.size() == 6);
+  for (const SwathStrip& strip : all->strips) CHECK(strip.width.base() == Approx(2));
+  CHECK(all->areas.covered.base() == Approx(1000));
+  CHECK(all->areas.outside.base() == Approx(20));
+  CHECK(all->areas.repeated.base() == Approx(6 * 200 - 1020));
+
+  const auto inside = swath_coverage(
+      field, metres(2),
+      {.edges = EdgeMode::stay_inside, .row_overlap = metres(0.2), .direction_deg = 90});
+  REQUIRE(inside);
+  CHECK(inside->areas.outside.base() == Approx(0).margin(1e-6));
+  // What the inset by half the overlap takes from the ends of the rows.
+  CHECK(inside->areas.missed.base() == Approx(2 * 0.1 * 10).margin(0.01));
+}
+
+TEST_CASE("rows of unlike length that overlap are counted once where they do") {
+  const Field field{.boundary = {at_m(-10, -10), at_m(30, -10), at_m(30, 10), at_m(-10, 10)},
+                    .holes = {},
+                    .obstacles = {}};
+  // 10 m along y = 0 and, shifted by 2 m, along y = 3.6, each 4 m wide: 8 m x 0.4 m twice.
+  const auto flown = flown_coverage(
+      field, metres(4),
+      {{{at_m(0, 0), false}, {at_m(10, 0), true}}, {{at_m(2, 3.6), false}, {at_m(12, 3.6), true}}});
+  REQUIRE(flown);
+  CHECK(flown->areas.covered.base() == Approx(80 - 3.2));
+  CHECK(flown->areas.repeated.base() == Approx(3.2));
+}
