@@ -5,10 +5,13 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <atomic>
 #include <csignal>
 #include <filesystem>
 #include <mutex>
 #include <set>
+#include <thread>
 
 #include <unistd.h>
 
@@ -76,25 +79,91 @@ TEST_CASE("survival: a malformed sample ends no process and is counted", "[trans
   CHECK(children.exit_codes() == std::map<std::uint32_t, int>{{1, 0}, {2, 0}, {3, 0}});
 }
 
-TEST_CASE("survival: an agent's process that is killed or frozen is noticed within its lease",
-          "[transport]") {
+/// Watches for how long this machine let the test wait for a turn that it wanted every 5 ms.
+class StallWatch {
+ public:
+  StallWatch() = default;
+  StallWatch(const StallWatch&) = delete;
+  StallWatch& operator=(const StallWatch&) = delete;
+  ~StallWatch() {
+    is_over_ = true;
+    thread_.join();
+  }
+
+  milliseconds longest() const { return milliseconds{longest_ms_.load()}; }
+
+ private:
+  void watch() {
+    auto last = SteadyClock::now();
+    while (!is_over_) {
+      ::usleep(5'000);
+      const auto now = SteadyClock::now();
+      const auto waited = std::chrono::duration_cast<milliseconds>(now - last);
+      longest_ms_ = std::max(longest_ms_.load(), waited.count());
+      last = now;
+    }
+  }
+
+  std::atomic<bool> is_over_{false};
+  std::atomic<milliseconds::rep> longest_ms_{0};
+  std::thread thread_{[this] { watch(); }};
+};
+
+/// Which participants were heard and lost, told by threads of the transport.
+class Roll {
+ public:
+  void hear(std::uint32_t participant) { note(heard_, participant); }
+  void lose(std::uint32_t participant) { note(lost_, participant); }
+  bool is_heard(std::uint32_t participant, milliseconds patience) {
+    return within(heard_, participant, patience);
+  }
+  bool is_lost(std::uint32_t participant, milliseconds patience) {
+    return within(lost_, participant, patience);
+  }
+
+ private:
+  void note(std::set<std::uint32_t>& set, std::uint32_t participant) {
+    const std::lock_guard guard{mutex_};
+    set.insert(participant);
+  }
+  bool within(const std::set<std::uint32_t>& set, std::uint32_t participant,
+              milliseconds patience) {
+    const auto end = SteadyClock::now() + patience;
+    for (;;) {
+      {
+        const std::lock_guard guard{mutex_};
+        if (set.contains(participant)) return true;
+      }
+      if (SteadyClock::now() >= end) return false;
+      ::usleep(5'000);
+    }
+  }
+
+  std::mutex mutex_;
+  std::set<std::uint32_t> heard_, lost_;
+};
+
+/// What became of two agents, one killed and then the other frozen.
+struct Noticed {
+  bool both_heard, false_alarm, killed_in_time, other_with_it, frozen_in_time, memory_left;
+  friend bool operator==(const Noticed&, const Noticed&) = default;
+};
+constexpr Noticed as_it_should_be{true, false, true, false, true, false};
+
+Noticed kill_one_freeze_one() {
   const auto before = shared_memory_files();
   const auto lock = transport::DomainLock::any_free();
   REQUIRE(lock);
   toy::Run run{.fleet = {.agents = 2, .stations = 0, .seconds = 60}, .domain = lock->domain()};
   run.epoch_realtime_ns = realtime_ns();
   const auto all = toy::parts(run);  // the scheduler, which the test plays, and two agents
+  const std::uint32_t first = all[1].participant, second = all[2].participant;
 
-  std::mutex mutex;
-  std::set<std::uint32_t> lost;
-  auto scheduler =
-      transport::Participant::join(toy::network(run), transport::scheduler_participant,
-                                   transport::TimeMode::wall, [&](std::uint32_t participant) {
-                                     const std::lock_guard guard{mutex};
-                                     lost.insert(participant);
-                                   });
+  Roll roll;
+  auto scheduler = transport::Participant::join(
+      toy::network(run), transport::scheduler_participant, transport::TimeMode::wall,
+      [&](std::uint32_t participant) { roll.lose(participant); });
   REQUIRE(scheduler);
-  std::set<std::uint32_t> heard;
   const transport::FleetTopics topics{
       **scheduler,
       transport::role::scheduler,
@@ -102,41 +171,51 @@ TEST_CASE("survival: an agent's process that is killed or frozen is noticed with
       transport::TimeMode::wall,
       BootId{1},
       [&](transport::Origin origin, std::size_t, std::optional<Envelope>) {
-        const std::lock_guard guard{mutex};
-        heard.insert(origin.participant);
+        roll.hear(origin.participant);
       }};
-  const auto within = [&](const std::set<std::uint32_t>& set, std::uint32_t participant,
-                          milliseconds patience) {
-    const auto end = SteadyClock::now() + patience;
-    while (SteadyClock::now() < end) {
-      {
-        const std::lock_guard guard{mutex};
-        if (set.contains(participant)) return true;
-      }
-      ::usleep(5'000);
-    }
-    return false;
-  };
 
-  toy::Run agents = run;
-  transport::Process killed = toy::start(agents, all[1]);
-  transport::Process frozen = toy::start(agents, all[2]);
-  REQUIRE(within(heard, all[1].participant, milliseconds{10'000}));
-  REQUIRE(within(heard, all[2].participant, milliseconds{10'000}));
-  CHECK_FALSE(within(lost, all[1].participant, milliseconds{1'500}));  // no false alarm
+  transport::Process killed = toy::start(run, all[1]);
+  transport::Process frozen = toy::start(run, all[2]);
+  Noticed noticed{};
+  noticed.both_heard =
+      roll.is_heard(first, milliseconds{10'000}) && roll.is_heard(second, milliseconds{10'000});
+  noticed.false_alarm = roll.is_lost(first, milliseconds{1'500});
 
   // Half a second for a loaded machine on top of the lease.
   const milliseconds patience = transport::wall_lease + milliseconds{500};
   killed.signal(SIGKILL);
-  CHECK(within(lost, all[1].participant, patience));
-  CHECK_FALSE(within(lost, all[2].participant, milliseconds{1}));
+  noticed.killed_in_time = roll.is_lost(first, patience);
+  noticed.other_with_it = roll.is_lost(second, milliseconds{1});
   frozen.signal(SIGSTOP);
-  CHECK(within(lost, all[2].participant, patience));
+  noticed.frozen_in_time = roll.is_lost(second, patience);
 
   (*scheduler)->close();
   std::set<std::string> left = shared_memory_files();
   for (const auto& name : before) left.erase(name);
-  CHECK(left.empty());  // nothing in shared memory, not even of the dead
+  noticed.memory_left = !left.empty();  // not even of the dead
+  return noticed;
+}
+
+// A machine that stands still takes the time of leases without giving it to those who renew them.
+// An attempt that fails counts only where the machine ran: nobody waited for a quarter of a lease.
+TEST_CASE("survival: an agent's process that is killed or frozen is noticed within its lease",
+          "[transport]") {
+  constexpr int most_attempts = 5;
+  for (int attempt = 1;; ++attempt) {
+    const StallWatch stalls;
+    const Noticed noticed = kill_one_freeze_one();
+    const bool has_stalled = stalls.longest() > transport::wall_lease / 4;
+    if (noticed != as_it_should_be && has_stalled && attempt < most_attempts) continue;
+    INFO("attempt " << attempt << ", the machine stood still for " << stalls.longest().count()
+                    << " ms");
+    CHECK(noticed.both_heard);
+    CHECK_FALSE(noticed.false_alarm);
+    CHECK(noticed.killed_in_time);
+    CHECK_FALSE(noticed.other_with_it);
+    CHECK(noticed.frozen_in_time);
+    CHECK_FALSE(noticed.memory_left);
+    break;
+  }
 }
 
 TEST_CASE("survival: members are told when their run is interrupted", "[transport]") {
