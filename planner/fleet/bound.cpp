@@ -1,0 +1,81 @@
+#include "planner/fleet/bound.hpp"
+
+#include "planner/fleet/work_bound.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace furrow::planner::fleet {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+double fastest_mps(const Flier& f) { return std::max(f.spray_mps, f.ferry_mps); }
+
+/// Shortest time from an aircraft's start to a strip's begin or end and home from there.
+double round_s(const FleetProblem& problem, std::uint32_t strip, bool end) {
+  const auto away_m = [&](FieldPoint place) {
+    return end ? problem.path.back_m(place, problem.path.begin_m(strip + 1))
+               : problem.path.out_m(place, problem.path.begin_m(strip));
+  };
+  double back_m = infinite, least_s = infinite;
+  for (const Depot& d : problem.depots) back_m = std::min(back_m, away_m(d.position));
+  for (const Flier& f : problem.fliers)
+    least_s = std::min(least_s, (away_m(f.start) + back_m) / fastest_mps(f));
+  return least_s;
+}
+
+/// Nowhere on the path is nearer to a place; of all its strips.
+double nearest_m(const StripPath& path, FieldPoint place) {
+  double least_m = infinite;
+  for (std::uint32_t s = 0; s < path.strips(); ++s) {
+    const double length_m = path.begin_m(s + 1) - path.begin_m(s);
+    const double ends_m =
+        path.out_m(place, path.begin_m(s)) + path.back_m(place, path.begin_m(s + 1));
+    least_m = std::min(least_m, 0.5 * (ends_m - length_m));
+  }
+  return std::max(least_m, 0.0);
+}
+
+}  // namespace
+
+LowerBound farthest_point_bound(const FleetProblem& problem) {
+  double most_s = 0.0;
+  for (std::uint32_t s = 0; s < problem.path.strips(); ++s)
+    most_s = std::max({most_s, round_s(problem, s, false), round_s(problem, s, true)});
+  return {most_s, "farthest point"};
+}
+
+LowerBound bay_count_bound(const FleetProblem& problem) {
+  double tank_m = 0.0, fastest = 0.0, service_s = infinite;
+  double depot_s = infinite, depot_m = infinite, start_m = infinite, bays = 0.0;
+  for (const Depot& d : problem.depots) {
+    depot_s = std::min(depot_s, d.service_s);
+    depot_m = std::min(depot_m, nearest_m(problem.path, d.position));
+    bays += d.bays;
+  }
+  for (const Flier& f : problem.fliers) {
+    tank_m = std::max(tank_m, f.tank_m);
+    fastest = std::max(fastest, fastest_mps(f));
+    service_s = std::min(service_s, depot_s + f.service_s);
+    start_m = std::min(start_m, nearest_m(problem.path, f.start));
+  }
+  const double sorties = std::ceil(problem.path.length_m() / tank_m - 1e-9);
+  const double fills = sorties - static_cast<double>(problem.fliers.size());
+  if (fills <= 0.0) return {0.0, "bay count"};
+  const double ways_m = start_m + 3.0 * depot_m;
+  return {std::ceil(fills / bays) * service_s + ways_m / fastest, "bay count"};
+}
+
+LowerBound best_bound(const FleetProblem& problem) {
+  constexpr double cell_m = 0.25;
+  const auto weaker = [](const LowerBound& a, const LowerBound& b) {
+    return a.makespan_s < b.makespan_s;
+  };
+  return std::max({LowerBound{work_bound_s(problem, cell_m), "work"}, bay_count_bound(problem),
+                   farthest_point_bound(problem)},
+                  weaker);
+}
+
+}  // namespace furrow::planner::fleet

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "planner/fleet/problem.hpp"
+
+#include <string_view>
+
+namespace furrow::planner::fleet {
+
+/// No plan of the problem's path, in whatever sorties it is flown, has a shorter makespan.
+/// Free order of strips may.
+struct LowerBound {
+  double makespan_s;
+  std::string_view name;  ///< What holds the fleet up: a word or two.
+};
+
+/// "farthest point": somebody must spray it and come home, at the faster of both speeds.
+LowerBound farthest_point_bound(const FleetProblem& problem);
+
+/// "bay count": the fills that the path takes at least, one after the other on each bay, with the
+/// shortest way to the path and back before and after.
+LowerBound bay_count_bound(const FleetProblem& problem);
+
+/// The greatest of them and of "work", see `work_bound_s`.
+///
+/// Time O(length): 0.25 m of path at a time.
+LowerBound best_bound(const FleetProblem& problem);
+
+}  // namespace furrow::planner::fleet

@@ -1,0 +1,81 @@
+#include "planner/fleet/bound.hpp"
+#include "planner/fleet/work_bound.hpp"
+#include "tests/planner/fleet/enumerated.hpp"
+#include "tests/planner/fleet/yardsticks.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace furrow::planner::fleet {
+namespace {
+
+/// Two strips of 50 m along x, to and fro, 2 m apart. A station at the origin with one bay.
+FleetProblem there_and_back(std::uint32_t fliers, double service_s) {
+  FleetProblem p{StripPath{{{at_m(0, 0), at_m(50, 0)}, {at_m(50, 2), at_m(0, 2)}}},
+                 {},
+                 {{at_m(0, 0), 1, service_s}}};
+  p.fliers.assign(fliers, {.tank_m = 60, .spray_mps = 1, .ferry_mps = 1, .start = at_m(0, 0)});
+  return p;
+}
+
+TEST_CASE("one aircraft's best plan attains the bound of its work") {
+  // A cut at 40 m, the nearest that both tanks allow: 80 m there and back, 100 m of spraying, a
+  // hop of 2 m, the way home of 2 m, 7 s of service.
+  const FleetProblem p = there_and_back(1, 7);
+  CHECK(QueueClock{p}.finish(FleetSorties{{0, 40, 0, 0}, {40, 100, 0, 0}}).makespan_s ==
+        Approx(191));
+  CHECK(work_bound_s(p, 0.01) == Approx(191).margin(0.03));
+  CHECK(work_bound_s(p, 0.01) <= 191);
+}
+
+TEST_CASE("first sorties take no service, and what more are worth is paid for") {
+  // 184 m as above, by two that both start full.
+  CHECK(work_bound_s(there_and_back(2, 7), 0.01) == Approx(184 / 2.0).margin(0.02));
+  // Three aircraft need not make three sorties: a second cut would be flown to.
+  CHECK(work_bound_s(there_and_back(3, 7), 0.01) == Approx(184 / 3.0).margin(0.02));
+}
+
+TEST_CASE("faster aircraft take more of the work") {
+  FleetProblem p = there_and_back(2, 0);
+  p.fliers[1].spray_mps = p.fliers[1].ferry_mps = 3;
+  CHECK(work_bound_s(p, 0.01) == Approx(184 / 4.0).margin(0.02));
+}
+
+TEST_CASE("fills follow one another on a bay") {
+  // Two tanks for the path, one of them filled: 500 s, at a station on the path.
+  const LowerBound bound = bay_count_bound(there_and_back(1, 500));
+  CHECK(bound.makespan_s == 500);
+  CHECK(bay_count_bound(there_and_back(2, 500)).makespan_s == 0);
+}
+
+TEST_CASE("somebody flies to the farthest point and home") {
+  FleetProblem p = there_and_back(50, 0);
+  for (Flier& f : p.fliers) f.ferry_mps = 4;
+  const LowerBound bound = best_bound(p);
+  // sqrt(50^2 + 2^2) = 50.04 m there and back at 4 m/s.
+  CHECK(bound.makespan_s == Approx(25.02).margin(0.01));
+  CHECK(bound.name == "farthest point");
+}
+
+TEST_CASE("no plan of a small case is faster than a bound") {
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    CAPTURE(seed);
+    const FleetProblem p = enumerated::random_problem(seed);
+    const double best_s = enumerated::best_makespan_s(p, enumerated::cuts_apart_m(p, 5));
+    CHECK(best_bound(p).makespan_s <= best_s + 1e-9);
+  }
+}
+
+TEST_CASE("the work of field A bounds its fleets as published") {
+  for (const yardsticks::Yardstick& y : yardsticks::all) {
+    CAPTURE(y.service_s, y.bays, y.fliers);
+    const LowerBound bound = best_bound(yardsticks::problem(y));
+    CHECK(bound.makespan_s <= y.to_beat_s);
+    // Six and ten aircraft at one bay with 180 s: held up by the bay more than by the work.
+    const bool bay = y.bays == 1 && y.service_s == 180 && y.fliers > 4;
+    // The cells give away less than a metre a cut, of at most 20 cuts by four: 1 s.
+    if (!bay) CHECK(bound.makespan_s >= y.bound_s - 2.0);
+  }
+}
+
+}  // namespace
+}  // namespace furrow::planner::fleet
