@@ -289,8 +289,8 @@ void AgentNode::fly_home(Instant t) {
   flush_flight_log();
   sortie_.spray_ended = t;
   sortie_.returned_at = field_point(aircraft_.estimate_m());
-  follow(
-      sortie_route(aircraft_.estimate_m(), {}, xy_m(home_.position), vehicle_, settings_.ferries));
+  follow(sortie_route(aircraft_.estimate_m(), {}, xy_m(home_.position), vehicle_, settings_.ferries,
+                      around_));
   phase_ = Phase::fly_back;
   stop_m_ = no_stop;
 }
@@ -314,7 +314,7 @@ void AgentNode::relicense() {
     const auto rest = order_->rest_of_sortie();
     home_ = station(order_->station());
     follow(sortie_route(aircraft_.estimate_m(), rest, xy_m(home_.position), vehicle_,
-                        settings_.ferries));
+                        settings_.ferries, around_));
   }
   stop_m_ = licensed_stop_m();
   if (phase_ == Phase::hold) end_hold();

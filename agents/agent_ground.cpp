@@ -113,7 +113,7 @@ AgentNode::Demand AgentNode::demand() const {
   const auto rest = order_->rest_of_sortie();
   const Xy next_home = xy_m(station(order_->station()).position);
   const auto route =
-      sortie_route(aircraft_.estimate_m(), rest, next_home, vehicle_, settings_.ferries);
+      sortie_route(aircraft_.estimate_m(), rest, next_home, vehicle_, settings_.ferries, around_);
 
   const double tank = aircraft_.stores.tank_share;
   const double share = std::min(1.0, route.spray_m / tank_range(vehicle_).base());
@@ -172,9 +172,9 @@ void AgentNode::try_take_off(Instant t) {
     return acknowledge(AckStatus::failed, "cell " + std::to_string(order_->next_cell()) +
                                               " is out of reach of one pack");
   }
-  take_off(
-      sortie_route(aircraft_.estimate_m(), rest, xy_m(home_.position), vehicle_, settings_.ferries),
-      t);
+  take_off(sortie_route(aircraft_.estimate_m(), rest, xy_m(home_.position), vehicle_,
+                        settings_.ferries, around_),
+           t);
 }
 
 void AgentNode::take_off(SortieRoute route, Instant t) {

@@ -11,7 +11,8 @@ AgentNode::AgentNode(AgentSettings settings)
     : settings_{std::move(settings)},
       vehicle_{settings_.vehicle},
       aircraft_{settings_},
-      log_{vehicle_.id} {}
+      log_{vehicle_.id},
+      around_{settings_.avoidance} {}
 
 Outbox AgentNode::step(const Inbox& inbox, Instant now) {
   if (!is_known_) {

@@ -98,6 +98,7 @@ class AgentNode {
   Vehicle vehicle_;
   Aircraft aircraft_;
   FlightLog log_;
+  Surroundings around_;
   Phase phase_ = Phase::idle;
   std::vector<Body> out_;
 

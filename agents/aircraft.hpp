@@ -38,6 +38,10 @@ class Aircraft {
 
   void follow(Path path) { pilot_.follow(std::move(path)); }
 
+  /// As Pilot::leads_on and Pilot::redirect.
+  bool leads_on(const Path& path) const { return pilot_.leads_on(path); }
+  void redirect(Path path) { pilot_.redirect(std::move(path)); }
+
   /// One control period in the air, to stop at `stop_m` along the path at the latest.
   void fly(double stop_m);
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "agents/conduct/surroundings.hpp"
 #include "core/ids.hpp"
 #include "core/station.hpp"
 #include "core/time.hpp"
@@ -18,6 +19,7 @@ struct AgentSettings {
   std::vector<Station> stations;  ///< Those it may be sent to.
   Wind wind;                      ///< The same mean for all; its gusts are this aircraft's own.
   planner::FerryMap ferries{};    ///< The fleet's, for ways of its own.
+  AvoidanceRule avoidance{};      ///< Of obstacles seen in flight.
   std::uint64_t seed;             ///< Of the scenario.
   BootId boot;
   Duration info_period{2'000'000'000};      ///< Until a command arrives.

@@ -37,6 +37,13 @@ struct Piece {
   friend bool operator==(const Piece&, const Piece&) = default;
 };
 
+/// A round obstacle met in flight. No plan made before knew it.
+struct SeenObstacle {
+  FieldPoint center;
+  Length radius;  ///< To its outermost edge, without any safety distance; > 0.
+  friend constexpr bool operator==(const SeenObstacle&, const SeenObstacle&) = default;
+};
+
 /// One trip from the supply station and back: what to spray in between, in order.
 struct SortieOrder {
   std::vector<Piece> pieces;  ///< At least one.

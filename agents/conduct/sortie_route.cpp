@@ -2,26 +2,68 @@
 
 #include "agents/aircraft.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
 namespace furrow::agents {
 namespace {
 
 constexpr double same_place_m = 1e-6;
+constexpr double blocked_room_m = 0.5;  // that a hovering aircraft takes
 
 double spacing(const Piece& piece) {
   return piece.cells.count < 2 ? 0.0
                                : distance(piece.from, piece.to).base() / (piece.cells.count - 1);
 }
 
-// Lays the legs of a route, over terrain with heights.
+// A place on the legs of a route.
+struct Placed {
+  FieldPoint at;
+  double leg_m;
+};
+
+// Where along the legs the centres of a piece's cells are first abeam.
+std::vector<double> abeam_leg_m(const Piece& piece, const std::vector<Placed>& legs) {
+  const bool is_one = piece.cells.count == 1;
+  const Xy from = xy_m(piece.from);
+  const Xy way = is_one ? xy_m(piece.exit) - xy_m(piece.entry) : xy_m(piece.to) - from;
+  const Xy ahead = (1.0 / std::max(norm(way), same_place_m)) * way;
+  const auto along = [&](FieldPoint p) { return dot(xy_m(p) - from, ahead); };
+  const double spacing_m = spacing(piece);
+  std::vector<double> cells;
+  cells.reserve(piece.cells.count);
+  std::size_t leg = 1;
+  for (std::uint32_t i = 0; i < piece.cells.count; ++i) {
+    const double wanted_m = i * spacing_m;
+    while (leg + 1 < legs.size() && along(legs[leg].at) < wanted_m) ++leg;
+    const double a = along(legs[leg - 1].at), b = along(legs[leg].at);
+    const double share = b > a ? std::clamp((wanted_m - a) / (b - a), 0.0, 1.0) : 0.0;
+    cells.push_back(std::lerp(legs[leg - 1].leg_m, legs[leg].leg_m, share));
+  }
+  return cells;
+}
+
+// Lays the legs of a route: over terrain with heights, over level land around what was seen.
 class Laying {
  public:
-  Laying(SortieRoute& route, Xy from_m, const Vehicle& vehicle, const planner::FerryMap& ferries)
-      : route_{route}, vehicle_{vehicle}, ferries_{ferries}, at_{field_point(from_m)} {}
+  Laying(SortieRoute& route, Xy from_m, const Vehicle& vehicle, const planner::FerryMap& ferries,
+         const Surroundings& around)
+      : route_{route},
+        vehicle_{vehicle},
+        ferries_{ferries},
+        around_{around},
+        at_{field_point(from_m)} {}
 
   /// Each returns where along the legs it ends [m].
+  double spray(FieldPoint to, Corner corner = Corner::cut) {
+    if (is_over_terrain()) return work(to, vehicle_.spray_speed, corner);
+    const auto bends = around_.strip_bends(at_, to, vehicle_.swath);
+    return bent(bends, to, vehicle_.spray_speed.base(), corner);
+  }
   double work(FieldPoint to, Speed speed, Corner corner = Corner::cut) {
     const planner::Relief* relief = ferries_.relief();
-    if (relief == nullptr) return straight(to, speed.base(), corner);
+    if (relief == nullptr) return bent(around_.ferry_bends(at_, to), to, speed.base(), corner);
     return over(relief->contour(at_, to, speed), corner);
   }
   double ferry(FieldPoint to, Corner corner = Corner::cut) {
@@ -30,11 +72,43 @@ class Laying {
       return over(ferries_.air_way(at_, to, speed, relief->layer_of(vehicle_.id)), corner);
     }
     const std::vector<FieldPoint> way = ferries_.way(at_, to);
-    for (std::size_t i = 1; i + 1 < way.size(); ++i) straight(way[i], speed.base(), Corner::cut);
-    return straight(to, speed.base(), corner);
+    for (std::size_t i = 1; i + 1 < way.size(); ++i) pass(way[i], speed, Corner::cut);
+    return work(to, speed, corner);
   }
 
+  /// A way point, unless an obstacle has come up there.
+  void pass(FieldPoint at, Speed speed, Corner corner) {
+    if (!around_.is_too_near(at)) work(at, speed, corner);
+  }
+
+  /// Begins to note the bends of a piece.
+  void mark() { marks_ = {{at_, leg_m_}}; }
+  /// The legs since, or nothing if they are one straight line.
+  std::vector<Placed> bends_since_mark() {
+    marks_.push_back({at_, leg_m_});
+    return std::exchange(is_bent_, false) ? std::exchange(marks_, {}) : std::vector<Placed>{};
+  }
+  std::optional<double> blocked_leg_m() const { return blocked_leg_m_; }
+
  private:
+  bool is_over_terrain() const { return ferries_.relief() != nullptr; }
+
+  double bent(const std::optional<std::vector<FieldPoint>>& bends, FieldPoint to, double limit_mps,
+              Corner corner) {
+    if (!bends && !blocked_leg_m_) {
+      const double clear_m = around_.clear_m(at_, to).value_or(0.0);
+      blocked_leg_m_ = leg_m_ + std::max(0.0, clear_m - blocked_room_m);
+    }
+    if (bends && !bends->empty()) {
+      is_bent_ = true;
+      for (const FieldPoint bend : *bends) {
+        straight(bend, limit_mps, Corner::held);
+        marks_.push_back({bend, leg_m_});
+      }
+    }
+    return straight(to, limit_mps, corner);
+  }
+
   double straight(FieldPoint to, double limit_mps, Corner corner) {
     at_ = to;
     return leg_m_ = route_.path.add(xy_m(to), limit_mps, corner);
@@ -60,26 +134,53 @@ class Laying {
   SortieRoute& route_;
   const Vehicle& vehicle_;
   const planner::FerryMap& ferries_;
+  const Surroundings& around_;
   FieldPoint at_;
   double leg_m_ = 0.0;
+  std::optional<double> blocked_leg_m_{};
+  std::vector<Placed> marks_{};
+  bool is_bent_ = false;  // since the mark
 };
+
+// Moves what was known along the legs to the path, now that its corners are cut.
+void settle(SortieRoute& route) {
+  const auto settled = [&](double leg_m) { return route.path.along_m(leg_m); };
+  for (PieceOnPath& p : route.pieces) {
+    p.open_m = settled(p.open_m);
+    p.close_m = settled(p.close_m);
+    p.from_m = settled(p.from_leg_m);
+    p.bends_from_m = settled(p.bends_from_m);
+    p.bends_to_m = settled(p.bends_to_m);
+    for (double& abeam_m : p.abeam_m) abeam_m = settled(abeam_m);
+    route.spray_m += p.close_m - p.open_m;
+  }
+}
+
+// Takes note of the way around obstacles, if there is one.
+void bend(PieceOnPath& piece, const std::vector<Placed>& legs) {
+  if (legs.size() < 3) return;
+  piece.abeam_m = abeam_leg_m(piece.piece, legs);
+  piece.bends_from_m = legs[1].leg_m;
+  piece.bends_to_m = legs[legs.size() - 2].leg_m;
+}
 
 }  // namespace
 
 double SortieRoute::cell_m(std::size_t piece, std::uint32_t index) const {
   const PieceOnPath& p = pieces[piece];
+  if (p.is_bent()) return p.abeam_m[index];
   return path.along_m(p.from_leg_m + index * p.spacing_m);
 }
 
 SortieRoute sortie_route(Xy from_m, std::span<const Piece> pieces, Xy to_m, const Vehicle& v,
-                         const planner::FerryMap& ferries) {
+                         const planner::FerryMap& ferries, const Surroundings& around) {
   SortieRoute route{.path = Path{from_m,
                                  {.acceleration_mps2 = planned_acceleration_mps2(v),
                                   .corner_cut_m = 0.5 * v.swath.base(),
                                   .min_radius_m = v.min_turn_radius.base()}},
                     .pieces = {},
                     .spray_m = 0.0};
-  Laying lay{route, from_m, v, ferries};
+  Laying lay{route, from_m, v, ferries, around};
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const Piece& piece = pieces[i];
     const bool to_its_end = !(piece.exit == piece.to);
@@ -92,30 +193,28 @@ SortieRoute sortie_route(Xy from_m, std::span<const Piece> pieces, Xy to_m, cons
       return !to_its_end ? Corner::cut : open ? Corner::held : Corner::stop;
     };
     if (i > 0) {
-      for (const FieldPoint at : piece.approach) lay.work(at, v.ferry_speed, Corner::held);
+      for (const FieldPoint at : piece.approach) lay.pass(at, v.ferry_speed, Corner::held);
     }
     const Speed speed = continues ? v.spray_speed : v.ferry_speed;
     const double open = i == 0 ? lay.ferry(piece.entry, corner(false))
                                : lay.work(piece.entry, speed, corner(continues));
+    lay.mark();
+    double from = 0.0, close = 0.0;
     if (!to_its_end) {
-      const double from = lay.work(piece.from, v.spray_speed);
-      const double close = lay.work(piece.to, v.spray_speed);
-      route.pieces.push_back({piece, open, close, from, spacing(piece), 0.0});
+      from = lay.spray(piece.from);
+      close = lay.spray(piece.to);
     } else {  // one straight leg
-      const double from = open + distance(piece.entry, piece.from).base();
-      const double close = lay.work(piece.exit, v.spray_speed, corner(goes_on));
-      route.pieces.push_back({piece, open, close, from, spacing(piece), 0.0});
+      from = open + distance(piece.entry, piece.from).base();
+      close = lay.spray(piece.exit, corner(goes_on));
     }
+    route.pieces.push_back({piece, open, close, from, spacing(piece), 0.0});
+    bend(route.pieces.back(), lay.bends_since_mark());
   }
   lay.ferry(field_point(to_m));
   route.path.finish();
   route.heights.move([&](double leg_m) { return route.path.along_m(leg_m); });
-  for (PieceOnPath& p : route.pieces) {  // known only now that corners are cut
-    p.open_m = route.path.along_m(p.open_m);
-    p.close_m = route.path.along_m(p.close_m);
-    p.from_m = route.path.along_m(p.from_leg_m);
-    route.spray_m += p.close_m - p.open_m;
-  }
+  settle(route);
+  if (lay.blocked_leg_m()) route.blocked_m = route.path.along_m(*lay.blocked_leg_m());
   return route;
 }
 

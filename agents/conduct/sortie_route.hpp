@@ -1,11 +1,13 @@
 #pragma once
 
+#include "agents/conduct/surroundings.hpp"
 #include "agents/guidance/height_profile.hpp"
 #include "agents/guidance/path.hpp"
 #include "core/vehicle.hpp"
 #include "core/work.hpp"
 #include "planner/ferry/ferry_map.hpp"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,6 +19,12 @@ struct PieceOnPath {
   double open_m, close_m;        ///< The valve may be open between.
   double from_leg_m, spacing_m;  ///< First cell, and from cell to cell, along the legs.
   double from_m;                 ///< First cell.
+  /// Where the piece is flown around obstacles: by cell, where its centre is abeam, along the path;
+  /// and the stretch off its line. A cell there counts when it is passed abeam.
+  std::vector<double> abeam_m{};
+  double bends_from_m = 0.0, bends_to_m = 0.0;
+
+  bool is_bent() const { return !abeam_m.empty(); }
 
   /// Whether the valve stays open beyond the centre of the last cell.
   bool has_tail() const { return !(piece.exit == piece.to); }
@@ -28,6 +36,8 @@ struct SortieRoute {
   std::vector<PieceOnPath> pieces;
   double spray_m;           ///< Valve open.
   HeightProfile heights{};  ///< Over terrain, along the path.
+  /// Where along the path an obstacle blocks it: nothing from there on may be flown. None: nowhere.
+  std::optional<double> blocked_m{};
 
   /// Where along the path cell `index` of piece `piece` has its centre [m].
   double cell_m(std::size_t piece, std::uint32_t index) const;
@@ -42,9 +52,15 @@ struct SortieRoute {
 /// held.
 ///
 /// Over terrain the route keeps work height on pieces and between them, ferries as
-/// planner::Relief::ferry says, and is flown no faster than its slopes allow.
+/// planner::Relief::ferry says, and is flown no faster than its slopes allow. Surroundings are not
+/// looked at there.
+///
+/// Legs lead around what was seen: pieces with the valve open, all others as
+/// `Surroundings::ferry_bends` says. Where there is no way around, the route is blocked 0.5 m
+/// before the clearance. It is the same route up to the first leg that an obstacle learnt since
+/// changes.
 SortieRoute sortie_route(Xy from_m, std::span<const Piece> pieces, Xy to_m, const Vehicle& vehicle,
-                         const planner::FerryMap& ferries);
+                         const planner::FerryMap& ferries, const Surroundings& around);
 
 /// What a ferry takes of a pack, in metres of level flight at ferry speed; without braking.
 double ferry_pack_m(FieldPoint from, FieldPoint to, const Vehicle& vehicle,

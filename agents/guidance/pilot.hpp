@@ -19,6 +19,14 @@ class Pilot {
   /// Takes over a finished path at its beginning.
   void follow(Path path);
 
+  /// Whether `path` is the one being flown up to here, and all that follows on it can be flown
+  /// from the speed at hand.
+  bool leads_on(const Path& path) const;
+
+  /// Goes on along a path that leads on, without a stop.
+  /// @pre leads_on(path)
+  void redirect(Path path);
+
   /// One control period.
   /// @param stop_m  Where along the path to stop, at the latest.
   /// @return  The acceleration over ground that is wanted [m/s2].

@@ -74,6 +74,15 @@ Room::Room(std::vector<CircleM> circles, std::vector<BarrierM> barriers, const L
   for (const LandPart& part : inside) parts_.emplace_back(part);
 }
 
+Room Room::with(std::vector<CircleM> more) const {
+  more.insert(more.begin(), circles_.begin(), circles_.end());
+  Room room{std::move(more), barriers_, {}};
+  room.parts_ = parts_;
+  return room;
+}
+
+Room Room::without_edges() const { return {circles_, barriers_, {}}; }
+
 std::vector<std::size_t> Room::circles_near(PointM a, PointM b, double more_m) const {
   const double reach_m = widest_m_ + more_m;
   std::vector<std::size_t> near;

@@ -28,6 +28,12 @@ class Room {
   /// @param inside  Parts that do not touch; none: anywhere.
   Room(std::vector<CircleM> circles, std::vector<BarrierM> barriers, const LandParts& inside);
 
+  /// The same with more circles.
+  Room with(std::vector<CircleM> more) const;
+
+  /// The same circles and barriers, anywhere.
+  Room without_edges() const;
+
   const std::vector<CircleM>& circles() const { return circles_; }
   const std::vector<BarrierM>& barriers() const { return barriers_; }
 

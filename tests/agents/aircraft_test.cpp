@@ -23,7 +23,7 @@ struct Flown {
 // Four strips of 700 m and home, without anyone to ask.
 Flown four_strips(const Vehicle& v, const Wind& wind) {
   Aircraft aircraft{settings_of(v, wind)};
-  const SortieRoute route = sortie_route({0, 0}, strips(4, 350), {0, 0}, v, {});
+  const SortieRoute route = sortie_route({0, 0}, strips(4, 350), {0, 0}, v, {}, Surroundings{});
   aircraft.take_off();
   aircraft.follow(route.path);
   Flown flown{.planned_s = route.path.duration_s(), .spray_m = route.spray_m};

@@ -1,0 +1,57 @@
+#pragma once
+// What an aircraft knows of obstacles that no plan knew, and how it gets past them.
+
+#include "core/work.hpp"
+#include "planner/avoidance/room.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace furrow::agents {
+
+/// How obstacles are kept away from.
+struct AvoidanceRule {
+  planner::Room planned{{}, {}, {}};  ///< The land with the obstacles that the plan knew.
+  Length clearance{};                 ///< From the edge of every other, >= 0.
+  Length turn_radius = metres(1);     ///< Of detours with the valve open, > 0.
+};
+
+class Surroundings {
+ public:
+  explicit Surroundings(AvoidanceRule rule = {});
+
+  /// @return  Whether it was unknown.
+  bool learn(const SeenObstacle& obstacle);
+
+  /// In the order learnt.
+  const std::vector<SeenObstacle>& seen() const { return seen_; }
+
+  /// Whether a place is nearer to a seen obstacle than the clearance.
+  bool is_too_near(FieldPoint place) const;
+
+  /// How far the straight way from `from` to `to` is clear of all that was seen [m]; nothing: all
+  /// of it.
+  std::optional<double> clear_m(FieldPoint from, FieldPoint to) const;
+
+  /// Way points of a detour from `from` to `to` with the valve open: inside the land, arcs of the
+  /// turn radius, the side by length and ground missed or sprayed twice. Every bend but the ends.
+  /// None where the straight way is clear.
+  /// @return  Nothing where no detour fits.
+  std::optional<std::vector<FieldPoint>> strip_bends(FieldPoint from, FieldPoint to,
+                                                     Length swath) const;
+
+  /// The same with the valve closed: inside the land where there is a way, else outside; tighter
+  /// turns where arcs of the turn radius do not fit; out of the clearance first, where it begins
+  /// too near.
+  /// @return  Nothing where it ends too near to an obstacle.
+  std::optional<std::vector<FieldPoint>> ferry_bends(FieldPoint from, FieldPoint to) const;
+
+ private:
+  double kept_m(const SeenObstacle& obstacle) const;
+
+  AvoidanceRule rule_;
+  std::vector<SeenObstacle> seen_{};
+  planner::Room room_, open_room_;  ///< All that is known; and the same without edges.
+};
+
+}  // namespace furrow::agents

@@ -1,0 +1,161 @@
+#include "agents/conduct/surroundings.hpp"
+
+#include "agents/conduct/sortie_route.hpp"
+#include "agents/guidance/pilot.hpp"
+#include "tests/agents/scripted_fleet.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+
+namespace furrow::agents {
+namespace {
+
+constexpr double no_stop = std::numeric_limits<double>::infinity();
+
+// Room to x = -half .. half beside a line to the north, 2 m clear of what is seen.
+Surroundings alley(double half_m, const std::vector<SeenObstacle>& seen = {}) {
+  const planner::LandParts land{
+      {{{-half_m, -20}, {half_m, -20}, {half_m, 120}, {-half_m, 120}}, {}}};
+  Surroundings around{
+      {.planned = {{}, {}, land}, .clearance = metres(2), .turn_radius = metres(3)}};
+  for (const SeenObstacle& o : seen) around.learn(o);
+  return around;
+}
+
+SeenObstacle tree(double x_m, double y_m) { return {at_m(x_m, y_m), metres(1)}; }
+
+// One strip of 49 cells of 2 m from end to end, to the north.
+Piece strip() { return {{0, 49}, at_m(0, 0), at_m(0, 1), at_m(0, 97), at_m(0, 98)}; }
+
+SortieRoute route_of(const Piece& piece, const Surroundings& around) {
+  return sortie_route({0, 0}, {{piece}}, {0, 0}, sprayer(), {}, around);
+}
+
+double least_distance_m(const SortieRoute& route, double to_m, FieldPoint place) {
+  double least = no_stop;
+  for (const Segment& s : route.path.segments()) {
+    for (double m = s.start_m; m <= std::min(s.end_m(), to_m); m += 0.05) {
+      least = std::min(least, norm(pose(s, m).at - xy_m(place)));
+    }
+  }
+  return least;
+}
+
+}  // namespace
+
+TEST_CASE("an obstacle is learnt once") {
+  Surroundings around = alley(20);
+  CHECK(around.learn(tree(0, 50)));
+  CHECK_FALSE(around.learn(tree(0, 50)));
+  CHECK(around.seen().size() == 1);
+}
+
+TEST_CASE("a straight way is clear up to where it enters the clearance of an obstacle") {
+  const Surroundings around = alley(20, {tree(0, 50)});
+  // 1 m of tree and 2 m of clearance.
+  CHECK(around.clear_m(at_m(0, 0), at_m(0, 98)).value() == Approx(47));
+  CHECK_FALSE(around.clear_m(at_m(0, 0), at_m(0, 46)));
+  CHECK_FALSE(around.clear_m(at_m(0, 54), at_m(0, 98)));
+  CHECK_FALSE(around.clear_m(at_m(3.1, 0), at_m(3.1, 98)));
+  CHECK(around.is_too_near(at_m(0, 52.9)));
+  CHECK_FALSE(around.is_too_near(at_m(0, 53.1)));
+}
+
+TEST_CASE("a strip is flown around a tree that was seen and keeps the clearance") {
+  const Surroundings around = alley(20, {tree(0.3, 50)});
+  const SortieRoute route = route_of(strip(), around);
+  CHECK_FALSE(route.blocked_m);
+  REQUIRE(route.pieces.front().is_bent());
+  // Rounded corners of 0.35 rad stay outside the circle of 3 m that their tangents touch.
+  CHECK(least_distance_m(route, no_stop, at_m(0.3, 50)) > 3 - 1e-3);
+  const PieceOnPath& bent = route.pieces.front();
+  // The detour begins and ends within R_z + R = 6 m of the tree, along the line.
+  CHECK(bent.bends_from_m > 43.0);
+  CHECK(bent.bends_to_m < 98.0);
+}
+
+TEST_CASE("cells of a bent strip count abeam, in order, and as always where it is straight") {
+  const SortieRoute plain = route_of(strip(), alley(20));
+  const SortieRoute route = route_of(strip(), alley(20, {tree(0.3, 50)}));
+  for (std::uint32_t i = 0; i < 49; ++i) {
+    const double at_m = route.cell_m(0, i);
+    if (i > 0) CHECK(at_m > route.cell_m(0, i - 1));
+    if (i < 21) CHECK(at_m == Approx(plain.cell_m(0, i)).margin(1e-9));
+  }
+  const double extra_m = route.spray_m - plain.spray_m;
+  CHECK(extra_m > 0.5);
+  CHECK(route.cell_m(0, 48) == Approx(plain.cell_m(0, 48) + extra_m).margin(1e-6));
+}
+
+// 2.9 m to either edge, and a detour takes 3 m.
+TEST_CASE("a strip without room for a detour is blocked before the clearance") {
+  const SortieRoute route = route_of(strip(), alley(2.9, {tree(0, 50)}));
+  REQUIRE(route.blocked_m);
+  CHECK(*route.blocked_m == Approx(46.5));  // half a metre before 50 - 3
+}
+
+TEST_CASE("a ferry leaves the land where there is no way around inside") {
+  const Surroundings around = alley(2.9, {tree(0, 50)});
+  CHECK_FALSE(around.strip_bends(at_m(0, 0), at_m(0, 98), metres(2)));
+  const auto way = around.ferry_bends(at_m(0, 0), at_m(0, 98));
+  REQUIRE(way);
+  for (const FieldPoint bend : *way) CHECK_FALSE(around.is_too_near(bend));
+}
+
+TEST_CASE(
+    "a ferry that begins too near to an obstacle leaves it first, one that ends so has no way") {
+  const Surroundings around = alley(20, {tree(0, 50)});
+  const auto out = around.ferry_bends(at_m(0, 48), at_m(0, 98));
+  REQUIRE(out);
+  CHECK(distance(out->front(), at_m(0, 47)).base() == Approx(0.05));
+  CHECK_FALSE(around.ferry_bends(at_m(0, 0), at_m(0, 51)));
+}
+
+TEST_CASE(
+    "a pilot goes on along a route that bends ahead of it, and not along one that bent behind") {
+  const SortieRoute plain = route_of(strip(), alley(20));
+  const SortieRoute bent = route_of(strip(), alley(20, {tree(0.3, 50)}));
+  Pilot pilot{2.7, 3.0};
+  pilot.follow(plain.path);
+  CHECK(pilot.leads_on(bent.path));
+  const auto fly_to = [&](double along_m) {
+    while (pilot.pace().along_m() < along_m) {
+      const Pose at = pose(pilot.segment(), pilot.pace().along_m());
+      pilot.steer(no_stop, at.at, pilot.pace().speed_mps() * at.ahead);
+    }
+  };
+  fly_to(30);
+  REQUIRE(pilot.leads_on(bent.path));
+  const double speed_mps = pilot.pace().speed_mps();
+  pilot.redirect(bent.path);
+  CHECK(pilot.pace().speed_mps() == speed_mps);
+  CHECK(pilot.leads_on(plain.path));
+  fly_to(48);
+  CHECK_FALSE(pilot.leads_on(plain.path));
+}
+
+TEST_CASE("a pilot too fast for a bend does not take it") {
+  // Arcs of 3 m are flown at sqrt(0.9 2.7 3) = 2.7 m/s; from 10 m/s that takes
+  // (100 - 7) / (2 2.7) = 17 m.
+  Vehicle fast = sprayer();
+  fast.spray_speed = metres_per_second(10);
+  const auto laid = [&](const Surroundings& around) {
+    return sortie_route({0, 0}, {{strip()}}, {0, 0}, fast, {}, around);
+  };
+  Pilot pilot{2.7, 3.0};
+  pilot.follow(laid(alley(20)).path);
+  const auto fly_to = [&](double along_m) {
+    while (pilot.pace().along_m() < along_m) {
+      const Pose at = pose(pilot.segment(), pilot.pace().along_m());
+      pilot.steer(no_stop, at.at, pilot.pace().speed_mps() * at.ahead);
+    }
+  };
+  fly_to(24);
+  const SortieRoute bent = laid(alley(20, {tree(0.3, 50)}));
+  CHECK(pilot.leads_on(bent.path));
+  fly_to(36);
+  CHECK_FALSE(pilot.leads_on(bent.path));
+}
+
+}  // namespace furrow::agents
