@@ -68,14 +68,16 @@ LowerBound bay_count_bound(const FleetProblem& problem) {
   return {std::ceil(fills / bays) * service_s + ways_m / fastest, "bay count"};
 }
 
-LowerBound best_bound(const FleetProblem& problem) {
+LowerBound best_bound(const FleetProblem& problem, const BayBoundSettings& bays) {
   constexpr double cell_m = 0.25;
   const auto weaker = [](const LowerBound& a, const LowerBound& b) {
     return a.makespan_s < b.makespan_s;
   };
-  return std::max({LowerBound{work_bound_s(problem, cell_m), "work"}, bay_count_bound(problem),
-                   farthest_point_bound(problem)},
-                  weaker);
+  const LowerBound best = std::max({LowerBound{work_bound_s(problem, cell_m), "work"},
+                                    bay_count_bound(problem), farthest_point_bound(problem)},
+                                   weaker);
+  const double by_bays_s = bay_bound_s(problem, best.makespan_s, bays);
+  return by_bays_s > best.makespan_s ? LowerBound{by_bays_s, "bays"} : best;
 }
 
 }  // namespace furrow::planner::fleet

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "planner/fleet/bay_bound.hpp"
 #include "planner/fleet/problem.hpp"
 
 #include <string_view>
@@ -20,9 +21,7 @@ LowerBound farthest_point_bound(const FleetProblem& problem);
 /// shortest way to the path and back before and after.
 LowerBound bay_count_bound(const FleetProblem& problem);
 
-/// The greatest of them and of "work", see `work_bound_s`.
-///
-/// Time O(length): 0.25 m of path at a time.
-LowerBound best_bound(const FleetProblem& problem);
+/// The greatest of them, of "work" and of "bays", see `work_bound_s` and `bay_bound_s`.
+LowerBound best_bound(const FleetProblem& problem, const BayBoundSettings& bays = {});
 
 }  // namespace furrow::planner::fleet

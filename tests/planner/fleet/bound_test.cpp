@@ -65,15 +65,15 @@ TEST_CASE("no plan of a small case is faster than a bound") {
   }
 }
 
-TEST_CASE("the work of field A bounds its fleets as published") {
+TEST_CASE("fleets of field A are bounded as published or better") {
   for (const yardsticks::Yardstick& y : yardsticks::all) {
     CAPTURE(y.service_s, y.bays, y.fliers);
     const LowerBound bound = best_bound(yardsticks::problem(y));
     CHECK(bound.makespan_s <= y.to_beat_s);
-    // Six and ten aircraft at one bay with 180 s: held up by the bay more than by the work.
-    const bool bay = y.bays == 1 && y.service_s == 180 && y.fliers > 4;
     // The cells give away less than a metre a cut, of at most 20 cuts by four: 1 s.
-    if (!bay) CHECK(bound.makespan_s >= y.bound_s - 2.0);
+    CHECK(bound.makespan_s >= y.bound_s - 2.0);
+    // Ten aircraft at one bay: held up by it more than by their work.
+    if (y.fliers == 10 && y.bays == 1) CHECK(bound.name == "bays");
   }
 }
 

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "planner/fleet/problem.hpp"
+
+#include <cstdint>
+
+namespace furrow::planner::fleet {
+
+/// Prices are searched for so often with time in about so many slots, then with finer ones.
+struct BayBoundSettings {
+  std::uint32_t slots = 120, evaluations = 500;
+  std::uint32_t fine_slots = 500, fine_evaluations = 150;
+};
+
+/// No plan ends earlier, for the bays could not serve it: or `from_s` where that is not shown.
+///
+/// Let sorties have prices mu by their flight times, services have prices lambda by their begin.
+/// In any plan of makespan T, the sorties together cost at least M, the cheapest split of the path;
+/// every aircraft earns at most U by its sorties less its services; services earn every bay at most
+/// B. So M <= aircraft U + bays B for all prices, and prices that break it prove that there is no
+/// such plan. They are searched for by Shor's r-algorithm, T rising whenever one is refuted.
+///
+/// No search where there is a bay for every aircraft. The aircraft are taken for as fast as the
+/// fastest, bays for as near as the nearest. Source: Geoffrion 1974, Math. Prog. Study 2, 82-114
+/// (Lagrangian relaxation).
+///
+/// @param from_s  A bound that is known, > 0: the search for prices starts there.
+double bay_bound_s(const FleetProblem& problem, double from_s,
+                   const BayBoundSettings& settings = {});
+
+}  // namespace furrow::planner::fleet
