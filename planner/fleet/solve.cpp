@@ -1,0 +1,133 @@
+#include "planner/fleet/solve.hpp"
+
+#include "planner/fleet/cut_plan.hpp"
+#include "planner/fleet/till_empty.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace furrow::planner::fleet {
+namespace {
+
+constexpr std::size_t most_runs = 3;  ///< From the best starts.
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+struct Judged {
+  FleetSorties sorties;
+  Finish finish;
+};
+
+bool is_better(const Finish& a, const Finish& b) {
+  return a.makespan_s != b.makespan_s ? a.makespan_s < b.makespan_s : a.total_s < b.total_s;
+}
+
+/// Anneals from one plan after another, and remembers the best of all.
+class Annealer {
+ public:
+  Annealer(const FleetProblem& problem, std::uint64_t seed)
+      : problem_{problem}, clock_{problem}, random_{seed} {
+    for (const Flier& f : problem.fliers) packs_end_ |= f.pack_s < infinite;
+  }
+
+  Judged judged(FleetSorties sorties) {
+    const Finish finish = flown(sorties);
+    return {std::move(sorties), finish};
+  }
+  std::uint64_t evaluations() const { return evaluations_; }
+
+  /// @param budget  Sorties flown, or changes refused.
+  Judged annealed(const Judged& start, std::uint64_t budget) {
+    Judged best = start;
+    CutPlan now{problem_, start.sorties};
+    double now_s = energy_s(start.finish);
+    const double hot_s = 0.01 * start.finish.makespan_s, cold_s = 1e-4 * start.finish.makespan_s;
+    for (std::uint64_t spent = 0; spent < budget; ++spent) {
+      CutPlan next = now;
+      if (!next.change(random_)) continue;
+      if (packs_end_ && !is_carried(problem_, next.sorties())) continue;
+      const Finish finish = flown(next.sorties());
+      spent += next.sorties().size();
+      const double part = static_cast<double>(spent) / static_cast<double>(budget);
+      const double heat_s = hot_s * std::pow(cold_s / hot_s, part);
+      const double next_s = energy_s(finish);
+      if (next_s > now_s && random_.uniform() >= std::exp((now_s - next_s) / heat_s)) continue;
+      now = std::move(next);
+      now_s = next_s;
+      if (is_better(finish, best.finish)) best = {now.sorties(), finish};
+    }
+    return best;
+  }
+
+ private:
+  Finish flown(const FleetSorties& sorties) {
+    ++evaluations_;
+    return clock_.finish(sorties);
+  }
+  /// The makespan, with a slope where one aircraft alone decides it.
+  double energy_s(const Finish& f) const {
+    return f.makespan_s + 0.05 * f.total_s / static_cast<double>(problem_.fliers.size());
+  }
+
+  const FleetProblem& problem_;
+  QueueClock clock_;
+  Random random_;
+  bool packs_end_ = false;
+  std::uint64_t evaluations_ = 0;
+};
+
+/// Equal stretches, so many in all.
+std::optional<FleetSorties> equal_stretches(const FleetProblem& problem, double count) {
+  const double each_m = problem.path.length_m() / count;
+  return dealt_out(problem, [&](double from_m) {
+    return problem.path.length_m() * ((std::floor(from_m / each_m + 1e-6) + 1.0) / count);
+  });
+}
+
+std::vector<FleetSorties> equal_starts(const FleetProblem& problem) {
+  double tank_m = 0.0;
+  for (const Flier& f : problem.fliers) tank_m = std::max(tank_m, f.tank_m);
+  const double least = std::ceil(problem.path.length_m() / tank_m);
+  const auto fliers = static_cast<double>(problem.fliers.size());
+  std::vector<FleetSorties> starts;
+  for (const double rounds : {1.0, 2.0, 3.0}) {
+    const double count = std::ceil(least / fliers) * fliers * rounds;
+    if (auto start = equal_stretches(problem, count)) starts.push_back(std::move(*start));
+  }
+  return starts;
+}
+
+}  // namespace
+
+std::optional<FleetSolution> solved(const FleetProblem& problem,
+                                    const FleetSolveSettings& settings) {
+  Annealer annealer{problem, settings.seed};
+  std::vector<Judged> starts;
+  FleetSolution solution{{}, {}, infinite, infinite, 0};
+  const auto add = [&](std::optional<FleetSorties> sorties) {
+    if (!sorties) return infinite;
+    starts.push_back(annealer.judged(std::move(*sorties)));
+    return starts.back().finish.makespan_s;
+  };
+  solution.till_empty_s = add(till_empty(problem));
+  solution.simple_s = add(simple_sorties(problem));
+  for (FleetSorties& s : equal_starts(problem)) add(std::move(s));
+  if (starts.empty()) return std::nullopt;
+
+  std::stable_sort(starts.begin(), starts.end(),
+                   [](const Judged& a, const Judged& b) { return is_better(a.finish, b.finish); });
+  Judged best = starts.front();
+  const std::size_t runs = std::min<std::size_t>(starts.size(), most_runs);
+  for (std::size_t r = 0; r < runs; ++r) {
+    Judged found = annealer.annealed(starts[r], settings.budget / runs);
+    if (is_better(found.finish, best.finish)) best = std::move(found);
+  }
+  solution.sorties = std::move(best.sorties);
+  solution.finish = best.finish;
+  solution.evaluations = annealer.evaluations();
+  return solution;
+}
+
+}  // namespace furrow::planner::fleet
