@@ -15,6 +15,7 @@ namespace furrow::planner::fleet {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double most_cells = 200'000;
 constexpr std::size_t knots = 24;  ///< Of either kind of prices.
 
 /// Values at equal distances, straight in between.
@@ -159,6 +160,8 @@ double bay_bound_s(const FleetProblem& problem, double from_s, const BayBoundSet
   std::vector<double> prices = first_prices();
   const auto search = [&](double slots, std::uint32_t evaluations) {
     const double service = std::ceil(all.service_s / bound_s * slots);
+    const double cell_m = 0.5 * all.service_s / service * all.fastest_mps;
+    if (problem.path.length_m() / cell_m > most_cells) return;
     Refuted refuted{problem, all, static_cast<std::size_t>(service), bound_s, prices};
     r_algorithm([&](auto at, auto slope) { return refuted(at, slope); }, prices,
                 {.evaluations = evaluations, .step = 0.1});

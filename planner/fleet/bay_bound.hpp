@@ -20,9 +20,10 @@ struct BayBoundSettings {
 /// B. So M <= aircraft U + bays B for all prices, and prices that break it prove that there is no
 /// such plan. They are searched for by Shor's r-algorithm, T rising whenever one is refuted.
 ///
-/// No search where there is a bay for every aircraft. The aircraft are taken for as fast as the
-/// fastest, bays for as near as the nearest. Source: Geoffrion 1974, Math. Prog. Study 2, 82-114
-/// (Lagrangian relaxation).
+/// No search where there is a bay for every aircraft, nor with slots so fine that the path takes
+/// more than 200 000 cells of half a slot. The aircraft are taken for as fast as the fastest, bays
+/// for as near as the nearest. Source: Geoffrion 1974, Math. Prog. Study 2, 82-114 (Lagrangian
+/// relaxation).
 ///
 /// @param from_s  A bound that is known, > 0: the search for prices starts there.
 double bay_bound_s(const FleetProblem& problem, double from_s,

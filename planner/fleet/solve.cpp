@@ -1,5 +1,6 @@
 #include "planner/fleet/solve.hpp"
 
+#include "planner/fleet/by_station.hpp"
 #include "planner/fleet/cut_plan.hpp"
 #include "planner/fleet/till_empty.hpp"
 
@@ -99,6 +100,24 @@ std::vector<FleetSorties> equal_starts(const FleetProblem& problem) {
   return starts;
 }
 
+/// Each station's aircraft on their own stretch of the path, apart.
+std::optional<FleetSorties> solved_by_station(const FleetProblem& problem,
+                                              const FleetSolveSettings& settings,
+                                              std::uint64_t& evaluations) {
+  const std::vector<StationPart> parts = by_station(problem);
+  std::vector<FleetSorties> sorties;
+  sorties.reserve(parts.size());
+  for (const StationPart& part : parts) {
+    auto solution =
+        solved(part.problem, {.budget = settings.budget / parts.size(), .seed = settings.seed});
+    if (!solution) return std::nullopt;
+    evaluations += solution->evaluations;
+    sorties.push_back(std::move(solution->sorties));
+  }
+  if (parts.empty()) return std::nullopt;
+  return of_whole(problem, parts, sorties);
+}
+
 }  // namespace
 
 std::optional<FleetSolution> solved(const FleetProblem& problem,
@@ -114,6 +133,12 @@ std::optional<FleetSolution> solved(const FleetProblem& problem,
   solution.till_empty_s = add(till_empty(problem));
   solution.simple_s = add(simple_sorties(problem));
   for (FleetSorties& s : equal_starts(problem)) add(std::move(s));
+  std::uint64_t budget = settings.budget;
+  if (problem.depots.size() > 1) {
+    budget /= 2;
+    add(solved_by_station(problem, {.budget = budget, .seed = settings.seed},
+                          solution.evaluations));
+  }
   if (starts.empty()) return std::nullopt;
 
   std::stable_sort(starts.begin(), starts.end(),
@@ -121,12 +146,12 @@ std::optional<FleetSolution> solved(const FleetProblem& problem,
   Judged best = starts.front();
   const std::size_t runs = std::min<std::size_t>(starts.size(), most_runs);
   for (std::size_t r = 0; r < runs; ++r) {
-    Judged found = annealer.annealed(starts[r], settings.budget / runs);
+    Judged found = annealer.annealed(starts[r], budget / runs);
     if (is_better(found.finish, best.finish)) best = std::move(found);
   }
   solution.sorties = std::move(best.sorties);
   solution.finish = best.finish;
-  solution.evaluations = annealer.evaluations();
+  solution.evaluations += annealer.evaluations();
   return solution;
 }
 

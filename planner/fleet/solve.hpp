@@ -24,9 +24,10 @@ struct FleetSolution {
 /// short sum of landings.
 ///
 /// Begins with flying till empty, the simple plan, and equal stretches of several lengths, all
-/// dealt out to whoever is ready first. Improves the best by simulated annealing over `CutPlan`,
-/// each plan flown by the queue clock; never worse than any that it began with. Deterministic: the
-/// budget counts work.
+/// dealt out to whoever is ready first; with several stations, also with the solved plans of each
+/// station's aircraft on a stretch of their own. Improves the best by simulated annealing over
+/// `CutPlan`, each plan flown by the queue clock; never worse than any that it began with.
+/// Deterministic: the budget counts work.
 ///
 /// @return  Nothing if no start reaches the whole path.
 ///

@@ -34,6 +34,23 @@ std::uint32_t StripPath::strip_to(double at_m) const {
   return static_cast<std::uint32_t>(at - begins_m_.begin() - 1);
 }
 
+StripPath StripPath::part(double from_m, double to_m) const {
+  std::vector<StraightStrip> strips;
+  const std::uint32_t first = strip_from(from_m), last = strip_to(to_m);
+  strips.reserve(last - first + 1);
+  for (std::uint32_t s = first; s <= last; ++s) {
+    strips.push_back(
+        {point(s, std::max(from_m, begins_m_[s])), point(s, std::min(to_m, begins_m_[s + 1]))});
+  }
+  return StripPath{strips};
+}
+
+FieldPoint StripPath::point(std::uint32_t strip, double at_m) const {
+  const Line& line = strips_[strip];
+  const double along_m = at_m - begins_m_[strip];
+  return furrow::at_m(line.x_m + along_m * line.along_x, line.y_m + along_m * line.along_y);
+}
+
 double StripPath::away_m(FieldPoint place, std::uint32_t strip, double at_m) const {
   const Line& line = strips_[strip];
   const double along_m = at_m - begins_m_[strip];

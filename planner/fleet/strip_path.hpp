@@ -41,11 +41,15 @@ class StripPath {
     return hops_m_[strip_to(to_m)] - hops_m_[strip_from(from_m)];
   }
 
+  /// What lies between two positions, `from_m` < `to_m`, as a path of its own.
+  StripPath part(double from_m, double to_m) const;
+
  private:
   struct Line {
     double x_m, y_m, along_x, along_y;
   };
   double away_m(FieldPoint place, std::uint32_t strip, double at_m) const;
+  FieldPoint point(std::uint32_t strip, double at_m) const;
 
   std::vector<Line> strips_;
   std::vector<double> begins_m_;  ///< By strip, and the length.
