@@ -21,4 +21,6 @@ set_target_properties(OMPL::ompl PROPERTIES
 if(BUILD_TESTING)
   find_package(Catch2 2 REQUIRED)
   find_package(benchmark REQUIRED)
+  find_library(GLPK_LIBRARY glpk REQUIRED)
+  find_path(GLPK_INCLUDE_DIR glpk.h REQUIRED)
 endif()
