@@ -48,12 +48,12 @@ void plan(benchmark::State& state, const Field& field, const SwathSettings& sett
 void bent(benchmark::State& state) {
   plan(state, bent_field(static_cast<double>(2 * state.range(0))), {});
 }
-BENCHMARK(bent)->RangeMultiplier(2)->Range(25, 1600)->Unit(benchmark::kMillisecond);
+BENCHMARK(bent)->RangeMultiplier(2)->Range(25, 1600)->UseRealTime()->Unit(benchmark::kMillisecond);
 
 void river(benchmark::State& state) {
   plan(state, river_bend(static_cast<int>(state.range(0))), {});
 }
-BENCHMARK(river)->Arg(20)->Arg(200)->Arg(1000)->Unit(benchmark::kMillisecond);
+BENCHMARK(river)->Arg(20)->Arg(200)->Arg(1000)->UseRealTime()->Unit(benchmark::kMillisecond);
 
 void thousand_hectares(benchmark::State& state) {
   const double s = std::sqrt(1e7);
@@ -63,7 +63,7 @@ void thousand_hectares(benchmark::State& state) {
         .obstacles = {}},
        {});
 }
-BENCHMARK(thousand_hectares)->Unit(benchmark::kMillisecond);
+BENCHMARK(thousand_hectares)->UseRealTime()->Unit(benchmark::kMillisecond);
 
 void direction_search(benchmark::State& state) {
   const auto land = field_land(bent_field(380), Length{}, Length{});

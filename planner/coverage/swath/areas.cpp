@@ -11,8 +11,8 @@ namespace {
 
 constexpr double shortest_m = 1e-9;
 
-// Rows flown side by side, joined into one outline without any overlay: what makes the union of a
-// thousand rows cheap.
+// Rows flown side by side, joined into one outline without any overlay. Overlays take the square of
+// an outline's corners, so that no stack has all rows of a large field.
 class RowStack {
  public:
   RowStack(PointM a, PointM b, double half_m)
@@ -33,6 +33,10 @@ class RowStack {
     spans_.push_back(next);
     return true;
   }
+
+  bool is_full() const { return spans_.size() >= most_rows; }
+  // The next stack begins with the last row of this one, so that no seam is left between them.
+  void begin_next() { spans_ = {spans_.back()}; }
 
   LandPart outline() const {
     std::vector<Span> rows = spans_;
@@ -61,6 +65,7 @@ class RowStack {
 
  private:
   static constexpr double same_m = 1e-8;
+  static constexpr std::size_t most_rows = 64;
   struct Span {
     double low_m, high_m, v_m;
   };
@@ -102,6 +107,10 @@ LandParts footprints(const std::vector<SprayedRun>& runs) {
     const PathM path = without_repeats(run.path);
     if (path.size() < 2) continue;
     const double half_m = run.width_m / 2;
+    if (stack && stack->is_full()) {
+      made.push_back(stack->outline());
+      stack->begin_next();
+    }
     if (path.size() > 2) {
       LandParts wide = widened(path, half_m);
       made.insert(made.end(), wide.begin(), wide.end());
@@ -112,6 +121,15 @@ LandParts footprints(const std::vector<SprayedRun>& runs) {
   }
   if (stack) made.push_back(stack->outline());
   return made;
+}
+
+// One by one, the largest first: what is left is small, and later ones touch little of it.
+LandParts less(const LandParts& land, LandParts taken) {
+  std::stable_sort(taken.begin(), taken.end(),
+                   [](const LandPart& a, const LandPart& b) { return area_m2(a) > area_m2(b); });
+  LandParts left = land;
+  for (const LandPart& part : taken) left = subtracted(left, {part});
+  return left;
 }
 
 }  // namespace
@@ -131,7 +149,7 @@ SprayedAreas sprayed_areas(const std::vector<SprayedRun>& runs, const LandParts&
 }
 
 LandParts missed_land(const std::vector<SprayedRun>& runs, const LandParts& land) {
-  return subtracted(land, united(footprints(runs)));
+  return less(land, footprints(runs));
 }
 
 }  // namespace furrow::planner

@@ -1,14 +1,18 @@
 #include "planner/coverage/swath/finish.hpp"
 
+#include "core/require.hpp"
 #include "planner/coverage/geos.hpp"
 #include "planner/coverage/swath/joints.hpp"
 #include "planner/coverage/swath/ragged_edges.hpp"
 #include "planner/ferry/bends.hpp"
 
 #include <algorithm>
+#include <future>
 
 namespace furrow::planner {
 namespace {
+
+constexpr std::size_t most_finished = 4;
 
 double missed_m2(const StripOrder& order, const LandParts& land) {
   return area_m2(missed_land(runs_of(order.strips), land));
@@ -25,15 +29,32 @@ void join(StripOrder& order, const EdgeGrid& edges, const LandParts& land, doubl
   order = std::move(joined);
 }
 
-void cover_edges(PartPlan& plan, const LandPart& flight, const LandParts& land,
-                 const InsidePaths& paths, const PlanRule& rule) {
+EdgeStrips missed_edges(const PartPlan& plan, const LandPart& flight, const LandParts& land,
+                        const PlanRule& rule) {
   const SwathSettings& s = rule.settings;
-  const EdgeStrips more = edge_strips(flight, land, runs_of(plan.order.strips), rule.swath_m,
-                                      s.miss_tolerance, s.min_strip.base());
+  // A turn with the valve open, as edge strips take, would reach outside.
+  if (s.edges == EdgeMode::stay_inside) return {{}, plan.missed_m2};
+  return edge_strips(flight, land, runs_of(plan.order.strips), rule.swath_m, s.miss_tolerance,
+                     s.min_strip.base());
+}
+
+void cover_edges(PartPlan& plan, const EdgeStrips& more, const LandPart& flight,
+                 const LandParts& land, const InsidePaths& paths, const PlanRule& rule) {
   plan.groups.insert(plan.groups.end(), more.groups.begin(), more.groups.end());
   if (!more.groups.empty()) put_in_order(plan, flight, paths, rule);
   plan.missed_m2 = more.missed_m2;
-  join(plan.order, paths.edges(), land, std::max(plan.missed_m2, s.miss_tolerance * area_m2(land)));
+  join(plan.order, paths.edges(), land,
+       std::max(plan.missed_m2, rule.settings.miss_tolerance * area_m2(land)));
+}
+
+void finish_with(PartPlan& plan, const EdgeStrips& more, const LandPart& flight,
+                 const LandParts& land, const InsidePaths& paths, const PlanRule& rule) {
+  if (rule.settings.edges == EdgeMode::cover_all) {
+    cover_edges(plan, more, flight, land, paths, rule);
+  }
+  for (OrderedStrip& strip : plan.order.strips) {
+    strip.approach = clear_of_corners(strip.approach, paths.edges(), rule.swath_m / 2);
+  }
 }
 
 }  // namespace
@@ -55,11 +76,25 @@ std::vector<SprayedRun> runs_of(const std::vector<OrderedStrip>& strips) {
 
 void finish(PartPlan& plan, const LandPart& flight, const LandParts& land, const InsidePaths& paths,
             const PlanRule& rule) {
-  // In `stay_inside` a turn with the valve open would reach outside.
-  if (rule.settings.edges == EdgeMode::cover_all) cover_edges(plan, flight, land, paths, rule);
-  for (OrderedStrip& strip : plan.order.strips) {
-    strip.approach = clear_of_corners(strip.approach, paths.edges(), rule.swath_m / 2);
+  finish_with(plan, missed_edges(plan, flight, land, rule), flight, land, paths, rule);
+}
+
+PartPlan cheapest_finished(std::vector<PartPlan> plans, const LandPart& flight,
+                           const LandParts& land, const InsidePaths& paths, const PlanRule& rule) {
+  require(!plans.empty(), "a part has a plan");
+  plans.resize(std::min(plans.size(), most_finished));
+  const auto when = plans.size() > 1 ? std::launch::async : std::launch::deferred;
+  std::vector<std::future<EdgeStrips>> more;
+  more.reserve(plans.size());
+  for (const PartPlan& plan : plans) {
+    more.push_back(std::async(when, [&] { return missed_edges(plan, flight, land, rule); }));
   }
+  std::size_t best = 0;
+  for (std::size_t i = 0; i < plans.size(); ++i) {
+    finish_with(plans[i], more[i].get(), flight, land, paths, rule);
+    if (cost_m(plans[i], rule) < cost_m(plans[best], rule)) best = i;
+  }
+  return std::move(plans[best]);
 }
 
 }  // namespace furrow::planner

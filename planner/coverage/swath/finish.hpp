@@ -20,4 +20,10 @@ std::vector<SprayedRun> runs_of(const std::vector<OrderedStrip>& strips);
 void finish(PartPlan& plan, const LandPart& flight, const LandParts& land, const InsidePaths& paths,
             const PlanRule& rule);
 
+/// The plan that is cheapest when finished, of the first few of `plans`, which are the cheapest
+/// before. What their rows miss is measured in parallel, to the same result on any machine.
+/// @param plans  At least one, cheapest first.
+PartPlan cheapest_finished(std::vector<PartPlan> plans, const LandPart& flight,
+                           const LandParts& land, const InsidePaths& paths, const PlanRule& rule);
+
 }  // namespace furrow::planner

@@ -65,21 +65,14 @@ std::vector<PartPlan> plans_of(const LandPart& flight, const FieldLand& field,
   return ranked_plans(flight, flight, field.land, paths, rule, {});
 }
 
-// The plan of one part that is cheapest when finished. Finishing only adds, so plans that cost more
-// before it are out.
 PartPlan plan_part(const LandPart& flight, const FieldLand& field,
                    std::optional<RowDirection> direction, const PlanRule& rule) {
   const InsidePaths paths{flight};
   const LandParts here = rule.settings.edges == EdgeMode::cover_all
                              ? reachable(flight, field, rule.swath_m)
                              : field.land;
-  std::optional<PartPlan> best;
-  for (PartPlan& plan : plans_of(flight, field, paths, direction, rule)) {
-    if (best && cost_m(plan, rule) >= cost_m(*best, rule)) break;
-    finish(plan, flight, here, paths, rule);
-    if (!best || cost_m(plan, rule) < cost_m(*best, rule)) best = std::move(plan);
-  }
-  return std::move(*best);
+  return cheapest_finished(plans_of(flight, field, paths, direction, rule), flight, here, paths,
+                           rule);
 }
 
 struct Laid {

@@ -112,6 +112,18 @@ TEST_CASE("rows that overlap cover the same land with more of them, and half the
   CHECK(inside->areas.missed.base() == Approx(2 * 0.1 * 10).margin(0.01));
 }
 
+TEST_CASE("hundreds of rows leave no seam between them") {
+  const Field field{.boundary = {at_m(0, 0), at_m(100, 0), at_m(100, 400), at_m(0, 400)},
+                    .holes = {},
+                    .obstacles = {}};
+  const auto c = swath_coverage(field, metres(2), {.direction_deg = 90});
+  REQUIRE(c);
+  CHECK(c->strips.size() == 200);
+  CHECK(c->areas.covered.base() == Approx(40'000).epsilon(1e-9));
+  CHECK(c->areas.missed.base() == Approx(0).margin(1e-4));
+  CHECK(c->areas.repeated.base() == Approx(0).margin(1e-4));
+}
+
 TEST_CASE("rows of unlike length that overlap are counted once where they do") {
   const Field field{.boundary = {at_m(-10, -10), at_m(30, -10), at_m(30, 10), at_m(-10, 10)},
                     .holes = {},
