@@ -18,7 +18,7 @@ Instant NodeHost::Member::next_event() const {
 }
 
 void NodeHost::add(NodeId id, AnyNode node, Instant first, Instant dies) {
-  const bool is_new = members_.emplace(id, Member{std::move(node), first, dies}).second;
+  const bool is_new = members_.emplace(id, Member{std::move(node), first, first, dies}).second;
   require(is_new, "a host holds each node once");
 }
 
@@ -26,7 +26,9 @@ void NodeHost::deliver(const Envelope& envelope) {
   for (auto& [id, member] : members_) {
     if (!is_recipient(id, envelope)) continue;
     const Arrivals when = arrivals(link_, seed_, envelope.from, id, envelope.seq, envelope.sent);
-    for (int i = 0; i < when.count; ++i) member.arrivals.insert({when.at[i], envelope});
+    for (int i = 0; i < when.count; ++i) {
+      if (when.at[i] >= member.first) member.arrivals.insert({when.at[i], envelope});
+    }
   }
 }
 

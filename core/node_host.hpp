@@ -19,8 +19,8 @@ class NodeHost {
  public:
   NodeHost(Link link, std::uint64_t seed) : link_{link}, seed_{seed} {}
 
-  /// Its first step will be at `first`; from `dies` on it neither steps nor sends any more, as
-  /// after a crash.
+  /// Its first step will be at `first`, and it hears nothing that arrives before; from `dies` on it
+  /// neither steps nor sends any more, as after a crash.
   void add(NodeId id, AnyNode node, Instant first, Instant dies = never);
 
   bool holds(NodeId id) const { return members_.contains(id); }
@@ -49,6 +49,7 @@ class NodeHost {
   };
   struct Member {
     AnyNode node;
+    Instant first;
     Instant wake;
     Instant dies;
     std::uint64_t last_seq = 0;

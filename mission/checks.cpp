@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 namespace furrow::mission {
 namespace {
@@ -93,6 +94,19 @@ void check_reach(const Draft& draft) {
   }
 }
 
+void check_joins(const Draft& draft) {
+  std::set<AgentId> joining;
+  for (std::size_t i = 0; i < draft.faults.size(); ++i) {
+    const Fault& fault = draft.scenario.faults[i];
+    if (fault.kind != Fault::Kind::agent_join) continue;
+    if (!joining.insert(fault.target).second) {
+      draft.faults[i].fail("target", "must join once only");
+    } else if (joining.size() == draft.scenario.uavs.size()) {
+      draft.faults[i].fail("target", "must leave a UAV to begin with");
+    }
+  }
+}
+
 void check_faults(const Draft& draft) {
   const auto uavs = draft.scenario.uavs.size();
   for (std::size_t i = 0; i < draft.faults.size(); ++i) {
@@ -111,6 +125,7 @@ void check_together(const Section& root, const Draft& draft) {
   if (field && fleet) check_cells(draft);
   if (field && fleet && draft.supply_in_order) check_reach(draft);
   if (fleet && draft.faults_in_order) check_faults(draft);
+  if (fleet && draft.faults_in_order) check_joins(draft);
 }
 
 }  // namespace furrow::mission

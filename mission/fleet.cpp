@@ -62,19 +62,32 @@ scheduler::FleetProblem fleet_problem(const Scenario& scenario) {
     swath->spray_margin = position_error(scenario.uavs);
     if (!swath->row_overlap) swath->row_overlap = usual_overlap(scenario.uavs);
   }
+  std::vector<Vehicle> present, joining;
+  for (const Vehicle& uav : scenario.uavs) {
+    (birth(scenario, node(uav.id)) > Instant{} ? joining : present).push_back(uav);
+  }
   return {.field = scenario.field,
           .coverage = std::move(coverage),
           .work_direction_deg = scenario.work_direction_deg,
           .stations = scenario.stations,
-          .vehicles = scenario.uavs,
+          .vehicles = std::move(present),
           .solver = scenario.solver,
-          .terrain = scenario.terrain};
+          .terrain = scenario.terrain,
+          .joining = std::move(joining)};
 }
 
 BootId first_boot(const Scenario& scenario, NodeId node) {
   constexpr std::uint64_t purpose = 0x626f6f74;  // "boot"
   return BootId{
       seed_for(scenario.seed, {purpose, static_cast<std::uint64_t>(node.kind), node.number})};
+}
+
+Instant birth(const Scenario& scenario, NodeId node) {
+  for (const Fault& fault : scenario.faults) {
+    const bool joins = fault.kind == Fault::Kind::agent_join && furrow::node(fault.target) == node;
+    if (joins) return fault.at;
+  }
+  return Instant{};
 }
 
 Instant death(const Scenario& scenario, NodeId node) {
@@ -114,7 +127,7 @@ AnyNode agent_node(const Scenario& scenario, const planner::FerryMap& ferries, A
 NodeHost whole_fleet(const Scenario& scenario, const scheduler::FleetPlan& plan) {
   NodeHost host{scenario.link, scenario.seed};
   const auto add = [&](NodeId id, AnyNode node) {
-    host.add(id, std::move(node), Instant{}, death(scenario, id));
+    host.add(id, std::move(node), birth(scenario, id), death(scenario, id));
   };
   add(furrow::scheduler_node(), scheduler_node(scenario, plan));
   for (const Station& station : scenario.stations) {

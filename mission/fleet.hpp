@@ -15,6 +15,9 @@ scheduler::FleetProblem fleet_problem(const Scenario& scenario);
 /// The incarnation of a node that starts once: a function of the seed, as simulated time needs it.
 BootId first_boot(const Scenario& scenario, NodeId node);
 
+/// When the node starts: at the epoch, unless the scenario's faults have it join later.
+Instant birth(const Scenario& scenario, NodeId node);
+
 /// When the scenario's faults kill the node; `never` if they do not.
 Instant death(const Scenario& scenario, NodeId node);
 
@@ -26,7 +29,7 @@ AnyNode supply_node(const Scenario& scenario, StationId station);
 AnyNode agent_node(const Scenario& scenario, const planner::FerryMap& ferries, AgentId agent,
                    BootId boot);
 
-/// All nodes of the mission in one host, to die as the scenario's faults say.
+/// All nodes of the mission in one host, to join and die as the scenario's faults say.
 NodeHost whole_fleet(const Scenario& scenario, const scheduler::FleetPlan& plan);
 
 }  // namespace furrow::mission

@@ -21,7 +21,10 @@ namespace furrow::mission {
 
 /// What goes wrong, and when. A fault unknown to this build is an input error.
 struct Fault {
-  enum class Kind { agent_kill };
+  enum class Kind {
+    agent_kill,  ///< It falls silent for good.
+    agent_join,  ///< It is not there before.
+  };
   Instant at;
   Kind kind;
   AgentId target;

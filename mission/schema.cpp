@@ -320,10 +320,9 @@ void read_faults(const Section& root, Draft& draft) {
   std::vector<std::pair<Fault, Section>> found;
   for (const auto& s : root.list("faults", 0, most_entries)) {
     const auto at = s.number("at_s", from_to(0, 10'000'000));
-    s.choice("kind", {"agent_kill"});
+    const auto kind = static_cast<Fault::Kind>(s.choice("kind", {"agent_kill", "agent_join"}));
     const auto target = static_cast<AgentId>(s.whole("target", 1, most_uavs));
-    found.emplace_back(
-        Fault{.at = instant(seconds(at)), .kind = Fault::Kind::agent_kill, .target = target}, s);
+    found.emplace_back(Fault{.at = instant(seconds(at)), .kind = kind, .target = target}, s);
   }
   std::stable_sort(found.begin(), found.end(),
                    [](const auto& a, const auto& b) { return a.first.at < b.first.at; });

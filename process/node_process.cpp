@@ -52,7 +52,7 @@ int run(const mission::NodeOptions& options, const MakeNodes& make_nodes) {
   NodeHost host{settings.epoch_realtime_ns ? real_radio : scenario->link, scenario->seed};
   for (auto& [id, node] : *nodes) {
     settings.nodes.push_back(id);
-    host.add(id, std::move(node), Instant{}, mission::death(*scenario, id));
+    host.add(id, std::move(node), mission::birth(*scenario, id), mission::death(*scenario, id));
   }
   return transport::run_member(settings, std::move(host));
 }

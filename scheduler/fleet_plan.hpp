@@ -28,6 +28,7 @@ struct UavPlan {
   std::vector<Visit> visits;   ///< One per return.
   double spray_ends_s;         ///< Forecast mission time of its last sprayed cell; 0 if none.
   double lands_s;
+  bool joins_late = false;  ///< Not there at the start, so it has no share.
 };
 
 /// Who flies what and when.

@@ -24,6 +24,31 @@ struct Sketch {
   Draft draft;
 };
 
+/// With those who come late, by id.
+std::vector<Vehicle> whole_fleet(const FleetProblem& problem) {
+  std::vector<Vehicle> all = problem.vehicles;
+  all.insert(all.end(), problem.joining.begin(), problem.joining.end());
+  std::sort(all.begin(), all.end(), [](const Vehicle& a, const Vehicle& b) { return a.id < b.id; });
+  return all;
+}
+
+/// Who has no share yet, from the station nearest to its home.
+UavPlan without_share(const Vehicle& vehicle, const std::vector<Station>& stations) {
+  const auto nearest =
+      std::min_element(stations.begin(), stations.end(), [&](const Station& a, const Station& b) {
+        return distance(vehicle.home, a.position) < distance(vehicle.home, b.position);
+      });
+  return {.vehicle = vehicle,
+          .station = *nearest,
+          .strips = {0, 0},
+          .cells = {0, 0},
+          .solution = {},
+          .visits = {},
+          .spray_ends_s = 0,
+          .lands_s = 0,
+          .joins_late = true};
+}
+
 std::optional<PlanError> fleet_fault(const std::vector<Vehicle>& vehicles) {
   const Vehicle& first = vehicles.front();
   for (const Vehicle& v : vehicles) {
@@ -179,11 +204,12 @@ Expected<Solved, PlanError> best_solved(const FleetProblem& problem, const Sketc
   return best;
 }
 
-/// Never above the makespan. An aircraft alone with one station has its solver's tighter bound.
+/// Never above the makespan. Those who come late count as if they were there from the start. An
+/// aircraft alone with one station has its solver's tighter bound.
 double lower_bound_s(const FleetProblem& problem, const Sketch& s, const Solved& found) {
   double bound_s =
-      makespan_bound_s(s.coverage.route, s.lengths, problem.vehicles, problem.stations);
-  if (problem.vehicles.size() == 1 && problem.stations.size() == 1) {
+      makespan_bound_s(s.coverage.route, s.lengths, whole_fleet(problem), problem.stations);
+  if (whole_fleet(problem).size() == 1 && problem.stations.size() == 1) {
     const planner::ReturnProblem& only = *found.tasks[0].problem;
     bound_s =
         std::max(bound_s, only.fly_out_m / only.vehicle.ferry_speed.base() +
@@ -247,7 +273,7 @@ Expected<planner::FerryMap, PlanError> ferry_map(const FleetProblem& problem) {
     if (std::find(stands.begin(), stands.end(), at) == stands.end()) stands.push_back(at);
   };
   for (const Station& station : problem.stations) add(station.position);
-  for (const Vehicle& vehicle : problem.vehicles) add(vehicle.home);
+  for (const Vehicle& vehicle : whole_fleet(problem)) add(vehicle.home);
   if (!problem.terrain) return planner::FerryMap::over(field, rule, stands);
   const planner::Relief relief{*problem.terrain, flown_over(field, stands)};
   if (auto fault = terrain_fault(relief, field.boundary)) return Unexpected{std::move(*fault)};
@@ -264,7 +290,7 @@ Expected<planner::FerryMap, PlanError> ferry_map(const FleetProblem& problem) {
 Expected<FleetPlan, PlanError> plan_fleet(const FleetProblem& problem) {
   require(!problem.vehicles.empty() && !problem.stations.empty(),
           "a fleet has aircraft and stations");
-  if (auto fault = fleet_fault(problem.vehicles)) return Unexpected{std::move(*fault)};
+  if (auto fault = fleet_fault(whole_fleet(problem))) return Unexpected{std::move(*fault)};
   auto sketched = best_sketch(problem);
   if (!sketched) return Unexpected{sketched.error()};
   Sketch& s = *sketched;
@@ -289,6 +315,11 @@ Expected<FleetPlan, PlanError> plan_fleet(const FleetProblem& problem) {
                          .spray_ends_s = returns.forecast.spray_ends_s[u],
                          .lands_s = returns.forecast.lands_s[u]});
   }
+  for (const Vehicle& vehicle : problem.joining) {
+    plan.uavs.push_back(without_share(vehicle, problem.stations));
+  }
+  std::sort(plan.uavs.begin(), plan.uavs.end(),
+            [](const UavPlan& a, const UavPlan& b) { return a.vehicle.id < b.vehicle.id; });
   plan.route = std::move(s.coverage.route);
   return plan;
 }

@@ -17,6 +17,7 @@ struct FleetProblem {
   std::vector<Vehicle> vehicles;             ///< At least one, ids rising, all of one swath.
   planner::SolveSettings solver;             ///< Its budget is for the whole fleet.
   std::optional<planner::TerrainModel> terrain{};  ///< None: level land.
+  std::vector<Vehicle> joining{};  ///< Come after the start: they are given no share.
 };
 
 /// The ways between all stations, homes and strips, at the distances that strips keep. Over terrain

@@ -62,7 +62,8 @@ SchedulerNode::SchedulerNode(SchedulerSettings settings)
              .station = uav.station,
              .sorties = orders(settings_.plan.route, uav),
              .pieces = {},
-             .lands_s = uav.lands_s};
+             .lands_s = uav.lands_s,
+             .joins = uav.joins_late};
     m.pieces = pieces(m.sorties);
     members_.push_back(std::move(m));
   }
@@ -75,6 +76,7 @@ Outbox SchedulerNode::step(const Inbox& inbox, Instant now) {
     check_leases(now, out);
     gather(now, out);
     share_out(now, out);
+    welcome(now, out);
     if (phase_ == MissionPhase::flying) {
       for (Member& m : members_) direct(m, now, out);
     }
@@ -160,10 +162,10 @@ void SchedulerNode::gather(Instant now, Outbox& out) {
   if (phase_ != MissionPhase::gathering) return;
   const bool is_over = now >= Instant{settings_.gather_time};
   for (Member& m : members_) {
-    if (!m.boot && !m.lost && is_over) lose(m, "it was never heard of", out);
+    if (!m.boot && !m.lost && !m.joins && is_over) lose(m, "it was never heard of", out);
   }
   const bool is_complete = std::all_of(members_.begin(), members_.end(),
-                                       [](const Member& m) { return m.boot || m.lost; });
+                                       [](const Member& m) { return m.boot || m.lost || m.joins; });
   if (!is_complete) return;
   phase_ = MissionPhase::flying;
   if (!settings_.plan.route.missed.empty()) {
@@ -239,8 +241,7 @@ void SchedulerNode::share_out(Instant now, Outbox& out) {
   std::vector<Member*> able;
   std::vector<Survivor> survivors;
   for (Member& m : members_) {
-    const bool is_heard = m.boot && now - m.last_heard < settings_.agent_lease;
-    if (m.lost || !is_heard || m.phase == Phase::offline) continue;
+    if (!can_take_more(m, now)) continue;
     able.push_back(&m);
     survivors.push_back(survivor(m, now));
   }
@@ -250,6 +251,77 @@ void SchedulerNode::share_out(Instant now, Outbox& out) {
   const std::string_view why =
       able.empty() ? "no aircraft is left" : "out of reach of every aircraft that is left";
   for (const CellRange cells : shared.nobodys) abandon(cells, why, out);
+}
+
+bool SchedulerNode::can_take_more(const Member& m, Instant now) const {
+  const bool is_heard = m.boot && now - m.last_heard < settings_.agent_lease;
+  return is_heard && !m.lost && m.phase != Phase::offline;
+}
+
+/// Gives those who came late a share of what is left.
+void SchedulerNode::welcome(Instant now, Outbox& out) {
+  if (phase_ != MissionPhase::flying) return;
+  bool is_new = false;
+  for (Member& m : members_) {
+    if (!m.joins || !m.boot) continue;
+    m.joins = false;
+    is_new = true;
+    out.messages.push_back(event("agent_joined", text(m.agent) + " is there"));
+  }
+  if (is_new) share_anew(now, out);
+}
+
+/// Cuts what nobody has begun anew for all, where that ends the mission earlier.
+void SchedulerNode::share_anew(Instant now, Outbox& out) {
+  for (Member& m : members_) {
+    if (can_take_more(m, now)) release(m);  // so that what comes next counts as begun
+  }
+  std::vector<Member> revised = members_;  // the old lists stay where they are as good
+  std::vector<std::size_t> who;
+  std::vector<Survivor> survivors;
+  std::vector<CellRange> unbegun;
+  double done_before_s = 0.0, done_after_s = 0.0;
+  for (std::size_t i = 0; i < revised.size(); ++i) {
+    if (!can_take_more(revised[i], now)) continue;
+    done_before_s = std::max(done_before_s, done_s(revised[i], now));
+    const std::vector<CellRange> back = take_back(revised[i], now);
+    unbegun.insert(unbegun.end(), back.begin(), back.end());
+    who.push_back(i);
+    survivors.push_back(survivor(revised[i], now));
+  }
+  if (unbegun.empty()) return;
+  Takeover shared = take_over(settings_.plan.route, joined(std::move(unbegun)), survivors);
+  for (std::size_t i = 0; i < who.size(); ++i) {
+    const Addition& added = shared.additions[i];
+    const double kept_s = done_s(revised[who[i]], now);
+    done_after_s = std::max(done_after_s, added.sorties.empty() ? kept_s : added.lands_s);
+  }
+  if (!shared.nobodys.empty() || done_after_s >= done_before_s) return;
+  members_ = std::move(revised);
+  for (std::size_t i = 0; i < who.size(); ++i) {
+    extend(members_[who[i]], std::move(shared.additions[i]), out);
+  }
+}
+
+/// Takes the sorties off the end of its list of which nothing is granted or sprayed.
+std::vector<CellRange> SchedulerNode::take_back(Member& m, Instant now) {
+  const auto is_open = [&](const Piece& p) { return ledger_.first_open(p.cells) == p.cells; };
+  const auto is_unbegun = [&](const SortieOrder& sortie) {
+    return std::all_of(sortie.pieces.begin(), sortie.pieces.end(), is_open);
+  };
+  const std::uint32_t left_before = cells_left(m);
+  std::vector<CellRange> back;
+  while (!m.sorties.empty() && is_unbegun(m.sorties.back())) {
+    for (const Piece& piece : m.sorties.back().pieces) back.push_back(piece.cells);
+    m.sorties.pop_back();
+  }
+  if (back.empty()) return back;
+  m.pieces = pieces(m.sorties);
+  const double now_s = seconds(now.time_since_epoch()).base();
+  const double share = static_cast<double>(cells_left(m)) / left_before;
+  if (m.lands_s > now_s) m.lands_s = now_s + share * (m.lands_s - now_s);
+  revise(m);
+  return back;
 }
 
 /// Gives up what is left of strips at which too many were lost.
@@ -271,23 +343,31 @@ void SchedulerNode::spare_the_fleet(Outbox& out) {
   orphans_ = std::move(left);
 }
 
-/// When it is done with its list, as forecast, or as what is left takes at least; then it is
-/// served.
+std::uint32_t SchedulerNode::cells_left(const Member& m) const {
+  std::uint32_t left = 0;
+  for (const CellRange open : open_cells(m)) left += open.count;
+  for (const GrantWindow& window : ledger_.windows(m.agent)) left += window.cells.count;
+  return left;
+}
+
+/// When it is done with its list, as forecast, or as what is left takes at least.
+double SchedulerNode::done_s(const Member& m, Instant now) const {
+  const double now_s = seconds(now.time_since_epoch()).base();
+  const std::uint32_t left = cells_left(m);
+  if (left == 0) return now_s;
+  const Seconds least =
+      (static_cast<double>(left) * settings_.plan.route.cell) / m.vehicle.spray_speed;
+  return std::max(m.lands_s, now_s + least.base());
+}
+
+/// Done with its list, and served.
 Survivor SchedulerNode::survivor(const Member& m, Instant now) const {
   Survivor s{.vehicle = m.vehicle,
              .station = m.station,
              .ready_s = seconds(now.time_since_epoch()).base()};
   if (m.pieces.empty()) return s;
   s.vehicle.home = m.station.position;
-  std::uint32_t left = 0;
-  for (const CellRange open : open_cells(m)) left += open.count;
-  for (const GrantWindow& window : ledger_.windows(m.agent)) left += window.cells.count;
-  if (left > 0) {
-    const Seconds least =
-        (static_cast<double>(left) * settings_.plan.route.cell) / m.vehicle.spray_speed;
-    s.ready_s = std::max(m.lands_s, s.ready_s + least.base());
-  }
-  s.ready_s += service_time(m.station, true, 1.0).base();
+  s.ready_s = done_s(m, now) + service_time(m.station, true, 1.0).base();
   return s;
 }
 
@@ -303,6 +383,11 @@ void SchedulerNode::extend(Member& m, Addition added, Outbox& out) {
                              std::to_string(added.sorties.size()) + " sorties"));
   std::move(added.sorties.begin(), added.sorties.end(), std::back_inserter(m.sorties));
   m.lands_s = added.lands_s;
+  revise(m);
+}
+
+/// Its list has changed: it is to be told.
+void SchedulerNode::revise(Member& m) {
   if (m.commanded_at) ++m.revision;
   m.accepted = false;
   m.commanded_at.reset();

@@ -33,6 +33,9 @@ struct SchedulerSettings {
 /// which is sent a new revision: its whole list with sorties added at the end. Strips at which
 /// aircraft are lost again and again, and what nobody reaches, are given up.
 ///
+/// An agent that joins late is not waited for. Once it is heard of, the sorties that nobody has
+/// begun are shared out anew over all, unless the others would be done as early without it.
+///
 /// The mission is finished when every cell is sprayed or given up and every living agent is down;
 /// completed when none was given up but what is uncertain. Cells that the route leaves out are
 /// reported at the start.
@@ -59,6 +62,7 @@ class SchedulerNode {
     Phase phase = Phase::idle;
     bool accepted = false;  ///< The revision.
     bool lost = false;
+    bool joins = false;  ///< Comes late, and has no share of the work yet.
     std::optional<Instant> commanded_at{}, granted_at{};
     bool owes_grant = false;  ///< The level has changed since it was last sent.
   };
@@ -81,6 +85,13 @@ class SchedulerNode {
   void forsake(const Member& m, std::string_view why, Outbox& out);
   void abandon(CellRange cells, std::string_view why, Outbox& out);
   void share_out(Instant now, Outbox& out);
+  void welcome(Instant now, Outbox& out);
+  void share_anew(Instant now, Outbox& out);
+  std::vector<CellRange> take_back(Member& m, Instant now);
+  void revise(Member& m);
+  bool can_take_more(const Member& m, Instant now) const;
+  std::uint32_t cells_left(const Member& m) const;
+  double done_s(const Member& m, Instant now) const;
   void spare_the_fleet(Outbox& out);
   void extend(Member& m, Addition added, Outbox& out);
   Survivor survivor(const Member& m, Instant now) const;

@@ -21,6 +21,7 @@ namespace {
 const char* name(mission::Fault::Kind kind) {
   switch (kind) {
     case mission::Fault::Kind::agent_kill: return "agent_kill";
+    case mission::Fault::Kind::agent_join: return "agent_join";
   }
   return "unknown";
 }
@@ -272,6 +273,17 @@ std::vector<StationFigures> station_figures(const MissionRecord& record, const F
   return stations;
 }
 
+// When the scheduler said that it took the aircraft in.
+std::optional<double> joined_s(const std::vector<Envelope>& log, AgentId agent) {
+  const std::string who = text(node(agent)) + " ";
+  for (const Envelope& e : log) {
+    const auto* event = std::get_if<Event>(&e.body);
+    if (event == nullptr || event->kind != "agent_joined") continue;
+    if (event->detail.starts_with(who)) return seconds(e.sent).base();
+  }
+  return std::nullopt;
+}
+
 std::vector<FaultFigures> fault_figures(const MissionRecord& record, const Flown& flown) {
   std::vector<FaultFigures> faults;
   for (const mission::Fault& fault : record.scenario.faults) {
@@ -279,7 +291,9 @@ std::vector<FaultFigures> fault_figures(const MissionRecord& record, const Flown
                    .kind = name(fault.kind),
                    .target = number(fault.target),
                    .noticed_s = {}};
-    if (const auto lost = flown.lost.find(fault.target); lost != flown.lost.end()) {
+    if (fault.kind == mission::Fault::Kind::agent_join) {
+      f.noticed_s = joined_s(record.log, fault.target);
+    } else if (const auto lost = flown.lost.find(fault.target); lost != flown.lost.end()) {
       f.noticed_s = seconds(lost->second).base();
     }
     faults.push_back(std::move(f));

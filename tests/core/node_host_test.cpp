@@ -52,6 +52,19 @@ TEST_CASE("node_host: a message arrives one latency after it was sent, to those 
   }
 }
 
+TEST_CASE("node_host: a node that starts late has not heard what was said before", "[core]") {
+  std::vector<std::pair<Instant, std::uint64_t>> heard;
+  NodeHost host{quiet_radio, 1};
+  host.add(scheduler_node(), AnyNode{Talker{}}, epoch);
+  host.add(node(AgentId{7}), AnyNode{Listener{&heard}}, epoch + 2 * second);
+  while (host.next_event() < never) {
+    for (const auto& e : host.advance(host.next_event() + quiet_radio.latency)) host.deliver(e);
+  }
+  // Of the states said at 0, 1, 2 and 3 s, those of the last two.
+  REQUIRE(heard.size() == 2);
+  CHECK(heard[0].first == epoch + 2 * second + quiet_radio.latency);
+}
+
 TEST_CASE("node_host: a node that dies says nothing from that instant on", "[core]") {
   NodeHost host{quiet_radio, 1};
   host.add(scheduler_node(), AnyNode{Talker{}}, epoch, epoch + 2 * second);

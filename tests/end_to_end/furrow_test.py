@@ -182,6 +182,17 @@ class Deaths(Furrow):
         self.assertEqual((self.out("sim") / "events.jsonl").read_bytes(), events)
         self.assertIn(b"work_taken_over", events)
 
+    def test_who_joins_late_is_given_a_share_by_sim_and_run_alike(self):
+        for command in ("sim", "run"):
+            done = furrow(command, ROOT / "scenarios/late_joiner.yaml", "--out", self.out(command))
+            self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(without_timing(self.out("sim")), without_timing(self.out("run")))
+        events = (self.out("run") / "events.jsonl").read_bytes()
+        self.assertEqual((self.out("sim") / "events.jsonl").read_bytes(), events)
+        result = json.loads((self.out("run") / "result.json").read_text())
+        self.assertGreater(len(result["uavs"][3]["sorties"]), 0)
+        self.assertLessEqual(result["faults"][0]["noticed_s"], 601)
+
     def test_a_killed_agent_process_leaves_dry_what_it_held_and_results(self):
         process = self.started("run", self.garden, "--speed", 60, "--out", self.out("run"))
         agents = lambda: [pid for pid, line in processes_in(self.garden).items()

@@ -84,6 +84,29 @@ TEST_CASE("plan_fleet: every strip is somebody's, forecasts agree, and the bound
   CHECK(plan->lower_bound_s <= plan->makespan_s);
 }
 
+TEST_CASE("plan_fleet: who joins late has no share, and counts for the bound", "[scheduler]") {
+  FleetProblem p = problem(100, 400, 3);
+  p.joining = {p.vehicles[1]};
+  p.vehicles.erase(p.vehicles.begin() + 1);
+  const auto plan = plan_fleet(p);
+  const auto of_two = plan_fleet({.field = p.field,
+                                  .coverage = p.coverage,
+                                  .work_direction_deg = p.work_direction_deg,
+                                  .stations = p.stations,
+                                  .vehicles = p.vehicles,
+                                  .solver = p.solver});
+  REQUIRE(plan);
+  REQUIRE(of_two);
+  REQUIRE(plan->uavs.size() == 3);
+  for (std::size_t u = 0; u < 3; ++u) {
+    CHECK(plan->uavs[u].vehicle.id == AgentId{static_cast<std::uint32_t>(u + 1)});
+    CHECK(plan->uavs[u].joins_late == (u == 1));
+    CHECK((plan->uavs[u].strips.count == 0) == (u == 1));
+  }
+  CHECK(plan->makespan_s == of_two->makespan_s);
+  CHECK(plan->lower_bound_s < of_two->lower_bound_s);  // three from the start might do better
+}
+
 TEST_CASE("plan_fleet: no worse than all aircraft unplanned, and than all simple", "[scheduler]") {
   const FleetProblem p = problem(100, 400, 4);
   const auto plan = plan_fleet(p);

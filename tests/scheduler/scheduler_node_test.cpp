@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include <map>
+#include <utility>
 
 namespace furrow::scheduler {
 namespace {
@@ -48,6 +49,7 @@ struct Follower {
   std::uint64_t last_accepted = 0, last_closed = 0;
   std::map<std::uint64_t, CellRange> open{};
   std::vector<Closure> unbooked{};
+  bool is_known = false;
 
   void hear(const Command& c) {
     revision = c.revision;
@@ -96,7 +98,7 @@ struct Follower {
   }
 
   Outbox step(const Inbox& inbox, Instant now) {
-    const bool is_first = now == Instant{};
+    const bool is_first = !std::exchange(is_known, true);
     for (const Envelope& e : inbox) {
       if (const auto* c = std::get_if<Command>(&e.body)) hear(*c);
       if (const auto* g = std::get_if<WorkGrant>(&e.body)) hear(*g);
@@ -135,15 +137,16 @@ struct Run {
   }
 };
 
-// Flies until the mission is over; takes `victim` out at `killed_at`.
+// Flies until the mission is over; takes `victim` out at `killed_at`. The last agent is there from
+// `joined_at` on.
 Run fly(SchedulerSettings s, const Link& radio, std::uint64_t seed, std::uint32_t agents,
-        Instant killed_at = never, AgentId victim = AgentId{0}) {
+        Instant killed_at = never, AgentId victim = AgentId{0}, Instant joined_at = Instant{}) {
   Run run;
   NodeHost host{radio, seed};
   host.add(scheduler_node(), AnyNode{SchedulerNode{std::move(s)}}, Instant{});
   for (std::uint32_t i = 1; i <= agents; ++i) {
-    host.add(node(AgentId{i}), AnyNode{Follower{AgentId{i}, &run.sprayed}}, Instant{},
-             AgentId{i} == victim ? killed_at : never);
+    host.add(node(AgentId{i}), AnyNode{Follower{AgentId{i}, &run.sprayed}},
+             i == agents ? joined_at : Instant{}, AgentId{i} == victim ? killed_at : never);
   }
   while (host.next_event() < at_s(1200)) {
     for (Envelope& e : host.advance(host.next_event() + radio.latency)) {
@@ -240,6 +243,47 @@ TEST_CASE("scheduler_node: only those whose list grows are told, in a newer revi
       is_told |= taken.detail.starts_with("agent " + std::to_string(agent) + " ");
     }
     CHECK(is_told == takes_over);
+  }
+}
+
+// A sortie for each strip. At one second two windows each are granted, so the third strips of both
+// are nobody's yet; whoever has them from the start is done with them at 100 s.
+SchedulerSettings late_joiner() {
+  SchedulerSettings s = settings(seconds{3});
+  s.plan.uavs = {uav_plan(s.plan.route, 1, {0, 3}, {9, 19}),
+                 uav_plan(s.plan.route, 2, {3, 3}, {9, 19}), uav_plan(s.plan.route, 3, {6, 0}, {})};
+  s.plan.uavs[0].lands_s = s.plan.uavs[1].lands_s = 100;
+  s.plan.uavs[2].joins_late = true;
+  return s;
+}
+
+TEST_CASE("scheduler_node: who joins late is given what nobody has begun", "[scheduler]") {
+  const Run run = fly(late_joiner(), quiet_radio, 1, 3, never, AgentId{0}, at_s(1));
+  REQUIRE(run.events("agent_joined").size() == 1);
+  CHECK(run.events("agent_joined")[0].first == at_s(1) + Duration{20'000'000});
+  CHECK(run.events("agent_lost").empty());
+  REQUIRE(run.events("work_taken_over").size() == 1);
+  CHECK(run.events("work_taken_over")[0].second.detail ==
+        "agent 3 takes over 20 cells in 1 sorties");
+  const SchedulerState last = run.states().back();
+  CHECK(last.completed);
+  CHECK(last.sprayed_cells == strips * cells_per_strip);
+  for (const auto& [cell, times] : run.sprayed) CHECK(times == 1);
+  std::map<AgentId, std::size_t> sorties;
+  for (const Envelope& e : run.log) {
+    const auto* command = std::get_if<Command>(&e.body);
+    if (command != nullptr) sorties[command->agent] = command->sorties.size();
+  }
+  CHECK(sorties ==
+        std::map<AgentId, std::size_t>{{AgentId{1}, 2}, {AgentId{2}, 2}, {AgentId{3}, 1}});
+}
+
+TEST_CASE("scheduler_node: who joins when all is begun, or never, changes nothing", "[scheduler]") {
+  for (const Instant joined_at : {at_s(3), never}) {
+    const Run run = fly(late_joiner(), quiet_radio, 1, 3, never, AgentId{0}, joined_at);
+    CHECK(run.events("work_taken_over").empty());
+    CHECK(run.states().back().completed);
+    for (const auto& [cell, times] : run.sprayed) CHECK(times == 1);
   }
 }
 

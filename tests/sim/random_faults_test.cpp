@@ -38,6 +38,21 @@ std::vector<mission::Fault> random_faults(Random& random, const mission::Scenari
   return faults;
 }
 
+/// The last one or two aircraft come at any time of the mission; those who never come are lost to
+/// nobody.
+std::vector<mission::Fault> random_joins(Random& random, const mission::Scenario& s,
+                                         double mission_s) {
+  std::vector<mission::Fault> faults;
+  const std::size_t late = 1 + random.below(2);
+  for (std::size_t i = s.uavs.size() - late; i < s.uavs.size(); ++i) {
+    const auto at_s = static_cast<double>(1 + random.below(static_cast<std::uint64_t>(mission_s)));
+    faults.push_back({.at = instant(seconds(at_s)),
+                      .kind = mission::Fault::Kind::agent_join,
+                      .target = s.uavs[i].id});
+  }
+  return faults;
+}
+
 SchedulerState last_word(const Log& log) {
   SchedulerState last{};
   for (const Envelope& e : log.envelopes) {
@@ -54,6 +69,53 @@ std::size_t count(const Log& log, std::string_view kind) {
       }));
 }
 
+/// No law is broken, and every cell is sprayed or uncertain unless all are lost.
+SchedulerState judged(const mission::Scenario& scenario, const scheduler::FleetPlan& plan,
+                      const Log& log) {
+  REQUIRE(log.finished);
+  const Facts facts{.field = scenario.field,
+                    .stations = scenario.stations,
+                    .plan = plan,
+                    .claim_lease = scenario.agent_lease,
+                    .whole = true,
+                    .wind = scenario.wind};
+  for (const Violation& v : violations(facts, log.envelopes, log.ended)) {
+    FAIL("law " << v.law << " at " << seconds(v.at).base() << " s: " << v.detail);
+  }
+  const SchedulerState last = last_word(log);
+  REQUIRE(last.open_cells == 0);
+  REQUIRE(count(log, "agent_lost") == last.lost.size());
+  return last;
+}
+
+void bad_radio(mission::Scenario& scenario, Random& random) {
+  scenario.link.jitter = Duration{static_cast<std::int64_t>(random.below(300'000'000))};
+  scenario.link.duplication = 0.1;
+}
+
+void fly_random_joins(std::uint64_t first_seed, std::uint64_t runs) {
+  mission::Scenario scenario = small_fleet();
+  std::size_t taken_over = 0;
+  for (std::uint64_t seed = first_seed; seed < first_seed + runs; ++seed) {
+    CAPTURE(seed);
+    Random random{seed};
+    scenario.seed = seed;
+    scenario.faults = random_joins(random, scenario, 600);
+    const auto plan = scheduler::plan_fleet(mission::fleet_problem(scenario));
+    REQUIRE(plan);
+    bad_radio(scenario, random);
+    if (random.below(3) == 0) {
+      const auto more = random_faults(random, scenario, plan->makespan_s);
+      scenario.faults.insert(scenario.faults.end(), more.begin(), more.end());
+    }
+    const Log log = flown(scenario, *plan);
+    const SchedulerState last = judged(scenario, *plan, log);
+    if (scenario.faults.size() <= 2) REQUIRE(last.completed);
+    taken_over += count(log, "work_taken_over");
+  }
+  CHECK(taken_over >= runs / 2);
+}
+
 void fly_random_faults(std::uint64_t first_seed, std::uint64_t runs) {
   mission::Scenario scenario = small_fleet();
   const auto plan = scheduler::plan_fleet(mission::fleet_problem(scenario));
@@ -64,23 +126,9 @@ void fly_random_faults(std::uint64_t first_seed, std::uint64_t runs) {
     Random random{seed};
     scenario.seed = seed;
     scenario.faults = random_faults(random, scenario, plan->makespan_s);
-    scenario.link.jitter = Duration{static_cast<std::int64_t>(random.below(300'000'000))};
-    scenario.link.duplication = 0.1;
+    bad_radio(scenario, random);
     const Log log = flown(scenario, *plan);
-    REQUIRE(log.finished);
-
-    const Facts facts{.field = scenario.field,
-                      .stations = scenario.stations,
-                      .plan = *plan,
-                      .claim_lease = scenario.agent_lease,
-                      .whole = true,
-                      .wind = scenario.wind};
-    for (const Violation& v : violations(facts, log.envelopes, log.ended)) {
-      FAIL("law " << v.law << " at " << seconds(v.at).base() << " s: " << v.detail);
-    }
-    const SchedulerState last = last_word(log);
-    REQUIRE(last.open_cells == 0);
-    REQUIRE(count(log, "agent_lost") == last.lost.size());
+    const SchedulerState last = judged(scenario, *plan, log);
     // Whoever is left sprays what is left.
     if (last.lost.size() < scenario.uavs.size()) REQUIRE(last.completed);
     REQUIRE(count(log, "cells_uncertain") <= 2 * last.lost.size());
@@ -93,6 +141,10 @@ void fly_random_faults(std::uint64_t first_seed, std::uint64_t runs) {
 
 TEST_CASE("random faults: what lost aircraft leave is sprayed once, by the others", "[sim]") {
   fly_random_faults(1, 300);
+}
+
+TEST_CASE("random faults: who joins late sprays nothing twice and leaves nothing out", "[sim]") {
+  fly_random_joins(1, 60);
 }
 
 TEST_CASE("a thousand random fault runs", "[.][sim]") { fly_random_faults(1001, 1000); }

@@ -72,8 +72,9 @@ std::string scenario_table(const MissionRecord& record) {
                          seconds(s.link.latency).base() * 1e3, seconds(s.link.jitter).base() * 1e3,
                          100 * s.link.loss, 100 * s.link.duplication)});
   for (const mission::Fault& fault : s.faults) {
-    table.row({"Fault", fmt::format("UAV {} dies at {:.1f} min", number(fault.target),
-                                    seconds(fault.at).base() / 60)});
+    const bool joins = fault.kind == mission::Fault::Kind::agent_join;
+    table.row({"Fault", fmt::format("UAV {} {} at {:.1f} min", number(fault.target),
+                                    joins ? "joins" : "dies", seconds(fault.at).base() / 60)});
   }
   return table.markup();
 }
