@@ -26,6 +26,7 @@ void AgentNode::fly_one_period(Instant t) {
   last_tick_ = t;
   truth_before_m_ = aircraft_.truth_m();
   aircraft_.fly(stop_m_);
+  look_out(t);
   if (!route_->heights.is_level()) keep_height();
   if (route_piece_ < route_->pieces.size()) work(t);
   note_place(t);
@@ -63,7 +64,8 @@ void AgentNode::work(Instant t) {
   }
   const bool would_spray = reached_m >= piece.open_m && progress_m_ < stop_m_;
   if (would_spray && is_off_line()) return stray(t);
-  if (is_valve_open_ && reached_m > piece.from_m && aircraft_.pilot().segment().is_straight()) {
+  const bool is_on_strip = reached_m > piece.from_m && !piece.is_beside_its_line(reached_m);
+  if (is_valve_open_ && is_on_strip && aircraft_.pilot().segment().is_straight()) {
     log_.sample(piece.piece, aircraft_);
   }
   const double before_m = progress_m_, close_m = std::min(piece.close_m, stop_m_);
@@ -129,7 +131,7 @@ void AgentNode::end_piece(Instant t) {
   if (route_piece_ == route_->pieces.size()) {
     phase_ = Phase::fly_back;
     leaving_.reset();
-    stop_m_ = no_stop;
+    stop_m_ = before_blockage_m(no_stop);
     sortie_.spray_ended = t;
     sortie_.returned_at = exit;
   }
@@ -171,6 +173,7 @@ void AgentNode::stray(Instant t) {
 // Takes up work at the first cell that is not sprayed, unless that failed too often.
 void AgentNode::return_to_line(Instant t) {
   is_astray_ = false;
+  if (phase_ == Phase::fly_back) return go_home();
   if (++strays_ > most_strays) {
     is_unfit_ = true;
     return leave(CloseReason::strayed, t);
@@ -188,8 +191,12 @@ void AgentNode::watch_stores(Instant t) {
   if (leaving_ || route_piece_ >= route_->pieces.size()) return;
 
   const double tank_m = aircraft_.stores.spray_left_m(vehicle_) + tank_slack_m;
-  const double next_m =
-      aircraft_.pilot().pace().braking_m() + 2.0 * route_->pieces[route_piece_].spacing_m + hover_m;
+  const PieceOnPath& piece = route_->pieces[route_piece_];
+  const double here_m = aircraft_.pilot().pace().along_m();
+  double next_m = aircraft_.pilot().pace().braking_m() + 2.0 * piece.spacing_m + hover_m;
+  if (piece.is_bent() && here_m < piece.bends_to_m && here_m + next_m > piece.bends_from_m) {
+    next_m += piece.bends_to_m - here_m;  // nobody stops beside the line
+  }
   if (tank_m < spray_left_m_ && tank_m < next_m) leave(CloseReason::tank_low, t);
 }
 
@@ -248,7 +255,7 @@ double AgentNode::leaving_stop_m() const {
   for (std::uint32_t i = route_cell_; i < piece.piece.cells.count; ++i) {
     const bool is_end = i + 1 == piece.piece.cells.count && piece.has_tail();
     const double cell_m = is_end ? piece.close_m : route_->cell_m(route_piece_, i);
-    if (cell_m >= soonest_m) return std::min(stop_m_, cell_m);
+    if (cell_m >= soonest_m && !piece.is_beside_its_line(cell_m)) return std::min(stop_m_, cell_m);
   }
   return std::min(stop_m_, piece.close_m);
 }
@@ -264,6 +271,7 @@ void AgentNode::come_to_rest(Instant t) {
   }
   if (leaving_) return fly_home(t);
   if (is_astray_) return return_to_line(t);
+  if (is_blocked()) return meet_blockage(t);
   if (phase_ == Phase::fly_back) return land(t);
   if (phase_ != Phase::hold && stop_m_ < no_stop) begin_hold(t);
 }
@@ -289,15 +297,20 @@ void AgentNode::fly_home(Instant t) {
   flush_flight_log();
   sortie_.spray_ended = t;
   sortie_.returned_at = field_point(aircraft_.estimate_m());
+  go_home();
+}
+
+void AgentNode::go_home() {
   follow(sortie_route(aircraft_.estimate_m(), {}, xy_m(home_.position), vehicle_, settings_.ferries,
                       around_));
   phase_ = Phase::fly_back;
-  stop_m_ = no_stop;
+  stop_m_ = before_blockage_m(no_stop);
 }
 
 void AgentNode::follow(SortieRoute route) {
   if (route_) flown_m_ += aircraft_.pilot().pace().along_m();
   route_ = std::move(route);
+  laid_from_m_ = aircraft_.estimate_m();
   aircraft_.follow(route_->path);
   route_piece_ = 0;
   route_cell_ = 0;
@@ -316,7 +329,7 @@ void AgentNode::relicense() {
     follow(sortie_route(aircraft_.estimate_m(), rest, xy_m(home_.position), vehicle_,
                         settings_.ferries, around_));
   }
-  stop_m_ = licensed_stop_m();
+  stop_m_ = before_blockage_m(licensed_stop_m());
   if (phase_ == Phase::hold) end_hold();
 }
 

@@ -54,6 +54,8 @@ void AgentNode::replace_order(const Command& command, Instant now) {
     if (!revises) ledger_.restart();
   }
   order_ = std::move(next);
+  bool is_news = false;
+  for (const SeenObstacle& o : order_->obstacles()) is_news |= around_.learn(o);
   is_running_ = is_running_ && goes_on;
   acknowledge(AckStatus::received);
   acknowledge(AckStatus::accepted);
@@ -61,7 +63,13 @@ void AgentNode::replace_order(const Command& command, Instant now) {
 
   const bool stands = phase_ == Phase::idle || phase_ == Phase::wait;
   if (is_airborne() && phase_ != Phase::fly_back) {
-    if (!goes_on && !leaving_) leave(CloseReason::superseded, now);
+    if (!goes_on && !leaving_) {
+      leave(CloseReason::superseded, now);
+    } else if (is_news) {
+      reroute(now);
+    }
+  } else if (is_airborne()) {
+    if (is_news) reroute(now);
   } else if (stands && order_->is_finished() && (!visit_ || visit_->is_released())) {
     finish(now);
   } else if (phase_ == Phase::done && !order_->is_finished()) {

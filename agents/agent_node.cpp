@@ -12,7 +12,8 @@ AgentNode::AgentNode(AgentSettings settings)
       vehicle_{settings_.vehicle},
       aircraft_{settings_},
       log_{vehicle_.id},
-      around_{settings_.avoidance} {}
+      around_{settings_.avoidance},
+      lookout_{settings_.surprises} {}
 
 Outbox AgentNode::step(const Inbox& inbox, Instant now) {
   if (!is_known_) {
@@ -92,6 +93,7 @@ void AgentNode::heartbeat(Instant now) {
 
   next_state_ = next_on_grid(now, whole_second);
   send(state());
+  report_obstacles();
   if (visit_ && (!visit_->is_released() || visit_->repeat_release())) send(visit_->claim());
   if (!is_scheduler_lost_ && order_ && !is_mission_over_ &&
       now > scheduler_heard_ + settings_.scheduler_lease) {

@@ -7,6 +7,7 @@
 #include "agents/conduct/sortie_route.hpp"
 #include "agents/conduct/work_ledger.hpp"
 #include "agents/settings.hpp"
+#include "agents/vehicle/lookout.hpp"
 #include "core/node.hpp"
 
 #include <optional>
@@ -66,10 +67,21 @@ class AgentNode {
   void begin_hold(Instant t);
   void end_hold();
   void fly_home(Instant t);
+  void go_home();
   void follow(SortieRoute route);
   void relicense();
   double licensed_stop_m() const;
   void flush_flight_log();
+
+  // agent_obstacles.cpp: what no plan knew.
+  void look_out(Instant t);
+  void report_obstacles();
+  void reroute(Instant t);
+  void swerve(SortieRoute route);
+  void stop_short(Instant t);
+  bool is_blocked() const;
+  void meet_blockage(Instant t);
+  double before_blockage_m(double stop_m) const;
 
   // agent_ground.cpp: orders, stations, take-off.
   struct Demand {
@@ -99,6 +111,8 @@ class AgentNode {
   Aircraft aircraft_;
   FlightLog log_;
   Surroundings around_;
+  Lookout lookout_;
+  std::vector<SeenObstacle> sightings_{};  // its own, that no order named yet
   Phase phase_ = Phase::idle;
   std::vector<Body> out_;
 
@@ -115,6 +129,7 @@ class AgentNode {
   Xy truth_before_m_{};  // at the tick before
   Station home_{};
   std::optional<SortieRoute> route_;
+  Xy laid_from_m_{};  // where the route begins
   std::size_t route_piece_ = 0;
   std::uint32_t route_cell_ = 0;  // in the piece
   double next_cell_m_ = 0.0, progress_m_ = 0.0, stop_m_ = 0.0, spray_left_m_ = 0.0;

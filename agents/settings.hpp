@@ -3,6 +3,7 @@
 #include "agents/conduct/surroundings.hpp"
 #include "core/ids.hpp"
 #include "core/station.hpp"
+#include "core/surprise.hpp"
 #include "core/time.hpp"
 #include "core/vehicle.hpp"
 #include "core/weather.hpp"
@@ -16,11 +17,12 @@ namespace furrow::agents {
 /// Everything an agent knows before its first message.
 struct AgentSettings {
   Vehicle vehicle;
-  std::vector<Station> stations;  ///< Those it may be sent to.
-  Wind wind;                      ///< The same mean for all; its gusts are this aircraft's own.
-  planner::FerryMap ferries{};    ///< The fleet's, for ways of its own.
-  AvoidanceRule avoidance{};      ///< Of obstacles seen in flight.
-  std::uint64_t seed;             ///< Of the scenario.
+  std::vector<Station> stations;      ///< Those it may be sent to.
+  Wind wind;                          ///< The same mean for all; its gusts are this aircraft's own.
+  planner::FerryMap ferries{};        ///< The fleet's, for ways of its own.
+  AvoidanceRule avoidance{};          ///< Of obstacles seen in flight.
+  std::vector<Surprise> surprises{};  ///< What stands there to be seen.
+  std::uint64_t seed;                 ///< Of the scenario.
   BootId boot;
   Duration info_period{2'000'000'000};      ///< Until a command arrives.
   Duration report_period{2'000'000'000};    ///< Until a closure is booked.

@@ -29,7 +29,8 @@ std::vector<sim::Violation> judged(const MissionRecord& record, const Flight& fl
                          .plan = record.plan,
                          .claim_lease = record.scenario.agent_lease,
                          .whole = flight.log.finished,
-                         .wind = record.scenario.wind};
+                         .wind = record.scenario.wind,
+                         .surprises = record.scenario.surprises};
   return sim::violations(facts, record.log, flight.log.ended);
 }
 

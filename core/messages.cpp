@@ -21,6 +21,7 @@ struct Recipient {
   bool operator()(const Event&) const { return false; }
   bool operator()(const SortieReport&) const { return false; }
   bool operator()(const FlightRecord&) const { return false; }
+  bool operator()(const ObstacleSeen&) const { return is_scheduler(); }
 };
 
 }  // namespace

@@ -60,6 +60,8 @@ struct Command {
   Epoch epoch;
   std::uint32_t revision;
   std::vector<SortieOrder> sorties;
+  std::vector<SeenObstacle>
+      obstacles{};  ///< Met since the plan was made, by anyone: to fly around.
 };
 
 enum class AckStatus : std::uint8_t {
@@ -105,6 +107,7 @@ enum class CloseReason : std::uint8_t {
   battery_low = 3,  ///< The pack would not carry the rest and the way home.
   superseded = 4,   ///< A newer revision or epoch took over.
   strayed = 5,      ///< It could not be held on its line.
+  blocked = 6,      ///< An obstacle stands there, with no room for a detour.
 };
 
 /// What became of a granted window. The evidence on which the ledger rests.
@@ -235,15 +238,26 @@ struct FlightRecord {
   std::vector<TrackPoint> track;  ///< Once a second, at bends, and where the valve moves.
 };
 
-using Body =
-    std::variant<AgentInfo, AgentState, Command, CommandAck, WorkGrant, WorkReport, ServiceClaim,
-                 ServiceGrant, StationState, SchedulerState, Event, SortieReport, FlightRecord>;
+/// An obstacle that its order does not know, as an aircraft sees it. Said again with the heartbeat
+/// until a command names the obstacle.
+struct ObstacleSeen {
+  AgentId agent;
+  BootId boot;
+  Epoch epoch;             ///< Of the order it follows.
+  std::uint32_t revision;  ///< Of the order it follows.
+  SeenObstacle obstacle;
+  Length clearance;  ///< That the aircraft keeps from its edge.
+};
+
+using Body = std::variant<AgentInfo, AgentState, Command, CommandAck, WorkGrant, WorkReport,
+                          ServiceClaim, ServiceGrant, StationState, SchedulerState, Event,
+                          SortieReport, FlightRecord, ObstacleSeen>;
 
 /// The last part of the topic's name, by the body's index.
 inline constexpr std::array<std::string_view, std::variant_size_v<Body>> topics{
     "agent_info",  "agent_state",   "command",       "command_ack",   "work_grant",
     "work_report", "service_claim", "service_grant", "station_state", "scheduler_state",
-    "event",       "sortie_report", "flight_record"};
+    "event",       "sortie_report", "flight_record", "obstacle_seen"};
 
 constexpr std::string_view topic(const Body& body) { return topics[body.index()]; }
 

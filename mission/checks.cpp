@@ -115,6 +115,44 @@ void check_faults(const Draft& draft) {
   }
 }
 
+// How far ahead an aircraft at ferry speed must see what it stops before.
+Length stopping_way(const Vehicle& v) {
+  constexpr double reaction_s = 0.3;
+  return v.ferry_speed * seconds(reaction_s) +
+         v.ferry_speed * v.ferry_speed / (2.0 * planned_acceleration(v));
+}
+
+void check_sight(const Section& at, const Surprise& surprise, const Draft& draft, Length safety) {
+  Length least{};
+  for (const Vehicle& v : draft.scenario.uavs) least = std::max(least, stopping_way(v) + safety);
+  if (surprise.seen_within >= least) return;
+  at.fail("seen_within_m",
+          fmt::format("must be at least {:.10g}: the safety distance, and the way in which an "
+                      "aircraft stops from its ferry speed",
+                      std::ceil(10.0 * least.base()) / 10.0));
+}
+
+// Obstacles that the plan does not know.
+void check_surprises(const Draft& draft) {
+  const Scenario& s = draft.scenario;
+  const auto* swath = std::get_if<planner::SwathSettings>(&s.coverage);
+  for (std::size_t i = 0; i < draft.surprises.size(); ++i) {
+    const Section& at = draft.surprises[i];
+    if (swath == nullptr || !swath->avoidance) {
+      at.fail("seen_within_m", "needs field.coverage.avoidance: how aircraft keep away from it");
+      continue;
+    }
+    if (s.terrain)
+      at.fail("seen_within_m", "must be left out over terrain: ways around it are level");
+    check_sight(at, s.surprises[i], draft, swath->avoidance->safety);
+    const Length kept = s.surprises[i].obstacle.radius + swath->avoidance->safety + metres(1);
+    for (const Station& station : s.stations) {
+      if (distance(station.position, s.surprises[i].obstacle.center) > kept) continue;
+      at.fail("center_m", "must leave every station free by the safety distance and 1 m");
+    }
+  }
+}
+
 }  // namespace
 
 void check_together(const Section& root, const Draft& draft) {
@@ -124,6 +162,7 @@ void check_together(const Section& root, const Draft& draft) {
   if (field && fleet) check_overlap(root.section("field").section("coverage"), draft);
   if (field && fleet) check_cells(draft);
   if (field && fleet && draft.supply_in_order) check_reach(draft);
+  if (field && fleet && draft.supply_in_order) check_surprises(draft);
   if (fleet && draft.faults_in_order) check_faults(draft);
   if (fleet && draft.faults_in_order) check_joins(draft);
 }

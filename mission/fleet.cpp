@@ -3,6 +3,7 @@
 #include "agents/agent_node.hpp"
 #include "core/random.hpp"
 #include "core/require.hpp"
+#include "planner/avoidance/field_plan.hpp"
 #include "scheduler/scheduler_node.hpp"
 #include "supply/supply_node.hpp"
 
@@ -51,6 +52,20 @@ Length usual_overlap(const std::vector<Vehicle>& uavs) {
   return most;
 }
 
+// On board, as strips are led around the obstacles that the plan knows.
+agents::AvoidanceRule avoidance_rule(const Scenario& scenario) {
+  if (scenario.surprises.empty()) return {};
+  const auto coverage = fleet_problem(scenario).coverage;
+  const auto* swath = std::get_if<planner::SwathSettings>(&coverage);
+  if (swath == nullptr || !swath->avoidance) return {};
+  const Length clearance = swath->avoidance->safety + metres(planner::tracking_room_m);
+  auto room = planner::room_of(scenario.field, swath->margin, swath->hole_buffer, clearance);
+  require(room.has_value(), "a field that was planned leaves room");
+  return {.planned = std::move(*room),
+          .clearance = clearance,
+          .turn_radius = swath->avoidance->turn_radius};
+}
+
 }  // namespace
 
 scheduler::FleetProblem fleet_problem(const Scenario& scenario) {
@@ -67,7 +82,7 @@ scheduler::FleetProblem fleet_problem(const Scenario& scenario) {
     (birth(scenario, node(uav.id)) > Instant{} ? joining : present).push_back(uav);
   }
   return {.field = scenario.field,
-          .coverage = std::move(coverage),
+          .coverage = coverage,
           .work_direction_deg = scenario.work_direction_deg,
           .stations = scenario.stations,
           .vehicles = std::move(present),
@@ -120,6 +135,8 @@ AnyNode agent_node(const Scenario& scenario, const planner::FerryMap& ferries, A
                                     .stations = scenario.stations,
                                     .wind = scenario.wind,
                                     .ferries = ferries,
+                                    .avoidance = avoidance_rule(scenario),
+                                    .surprises = scenario.surprises,
                                     .seed = scenario.seed,
                                     .boot = boot}}};
 }

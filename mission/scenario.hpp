@@ -4,6 +4,7 @@
 #include "core/field.hpp"
 #include "core/link.hpp"
 #include "core/station.hpp"
+#include "core/surprise.hpp"
 #include "core/vehicle.hpp"
 #include "core/weather.hpp"
 #include "exchange/local_frame.hpp"
@@ -53,6 +54,7 @@ struct Scenario {
   std::optional<exchange::Datum> datum;      ///< Where on the globe the frame's origin lies.
   planner::CoverageModel coverage;           ///< Direction and start are the lines above.
   std::vector<Station> stations;             ///< At least one, ids rising.
+  std::vector<Surprise> surprises;           ///< Obstacles that the plan does not know.
   std::vector<Vehicle> uavs;                 ///< At least one, ids 1, 2, ... in file order.
   Wind wind;
   std::optional<planner::TerrainModel> terrain;  ///< None: level, and heights are not flown.

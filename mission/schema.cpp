@@ -145,6 +145,25 @@ Obstacle read_obstacle(const Section& s) {
   return {std::move(id), center.value_or(FieldPoint{}), metres(radius.value_or(1))};
 }
 
+constexpr double latest_s = 10'000'000;
+
+// What the plan does not know of it, if anything.
+std::optional<Surprise> read_surprise(const Section& s, const Obstacle& obstacle) {
+  const auto seen_m = s.optional_number("seen_within_m", above_to(0, 10'000), "known to the plan");
+  const auto appears_s = s.optional_number("appears_s", from_to(0, latest_s), "from the start");
+  if (!s.has("seen_within_m") && s.has("appears_s")) {
+    s.fail("appears_s", "needs seen_within_m: how near an aircraft must be to see it");
+  }
+  if (!s.has("seen_within_m")) return std::nullopt;
+  if (!obstacle.outline.empty()) {
+    s.fail("seen_within_m", "belongs to round obstacles, not to those with boundary_m");
+  }
+  return Surprise{.id = obstacle.id,
+                  .obstacle = {obstacle.center, obstacle.radius},
+                  .appears = Instant{duration(seconds(appears_s.value_or(0)))},
+                  .seen_within = metres(seen_m.value_or(1))};
+}
+
 void read_obstacles_file(const Section& root, const Scenario& scenario,
                          std::vector<Obstacle>& obstacles, std::set<std::string>& ids) {
   const auto file = root.optional_text("obstacles_file", "none");
@@ -174,13 +193,20 @@ void read_obstacles_file(const Section& root, const Scenario& scenario,
   }
 }
 
-std::vector<Obstacle> read_obstacles(const Section& root, const Scenario& scenario) {
+std::vector<Obstacle> read_obstacles(const Section& root, Draft& draft) {
+  Scenario& scenario = draft.scenario;
   std::vector<Obstacle> obstacles;
   std::set<std::string> ids;
   for (const auto& s : root.list("obstacles", 0, most_entries)) {
-    obstacles.push_back(read_obstacle(s));
-    const auto& id = obstacles.back().id;
+    Obstacle made = read_obstacle(s);
+    const std::string& id = made.id;
     if (!id.empty() && !ids.insert(id).second) s.fail("id", "must be unique among the obstacles");
+    if (auto surprise = read_surprise(s, made)) {
+      draft.surprises.push_back(s);
+      scenario.surprises.push_back(std::move(*surprise));
+    } else {
+      obstacles.push_back(std::move(made));
+    }
   }
   read_obstacles_file(root, scenario, obstacles, ids);
   return obstacles;
@@ -375,7 +401,7 @@ Draft read_scenario(const Section& root) {
   s.name = root.name("name");
   s.seed = root.whole("seed", 0, UINT64_MAX, 1);
   draft.field_in_order = in_order(root, [&] { read_field(root.required_section("field"), s); });
-  s.field.obstacles = read_obstacles(root, s);
+  s.field.obstacles = read_obstacles(root, draft);
   draft.supply_in_order = in_order(root, [&] { read_supply(root, draft); });
   draft.fleet_in_order = in_order(root, [&] { read_uavs(root, draft); });
   s.wind = read_wind(root.section("wind"));

@@ -17,6 +17,7 @@ struct Draft {
   std::vector<std::size_t> fleet_of;  ///< For each UAV, the index of its entry.
   std::vector<bool> has_start;        ///< For each entry, whether it says where its UAVs start.
   std::vector<Section> faults;
+  std::vector<Section> surprises;  ///< The entry of each obstacle that the plan does not know.
   /// Whether each key of the part is in order by itself.
   bool field_in_order, supply_in_order, fleet_in_order, faults_in_order;
 };

@@ -37,6 +37,18 @@ bool is_at_work(Phase phase) {
   return phase == Phase::fly_out || phase == Phase::spray || phase == Phase::hold;
 }
 
+std::string text(const SeenObstacle& o) {
+  return " of " + std::to_string(o.radius.base()) + " m at (" + std::to_string(o.center.x.base()) +
+         ", " + std::to_string(o.center.y.base()) + ") m";
+}
+
+std::vector<SeenObstacle> obstacles(const std::vector<KeptObstacle>& kept) {
+  std::vector<SeenObstacle> all;
+  all.reserve(kept.size());
+  for (const KeptObstacle& k : kept) all.push_back(k.obstacle);
+  return all;
+}
+
 bool is_due(const std::optional<Instant>& last, Instant now) {
   return !last || now - *last >= resend_after;
 }
@@ -104,6 +116,7 @@ void SchedulerNode::hear(const Envelope& envelope, Instant now, Outbox& out) {
   if (const auto* state = std::get_if<AgentState>(&envelope.body)) hear(*state, now, out);
   if (const auto* ack = std::get_if<CommandAck>(&envelope.body)) hear(*ack, now, out);
   if (const auto* report = std::get_if<WorkReport>(&envelope.body)) hear(*report, now, out);
+  if (const auto* seen = std::get_if<ObstacleSeen>(&envelope.body)) hear(*seen, now, out);
 }
 
 void SchedulerNode::hear(const AgentInfo& info, Instant now, Outbox&) {
@@ -144,7 +157,12 @@ void SchedulerNode::hear(const WorkReport& report, Instant now, Outbox& out) {
   if (m == nullptr || report.epoch != settings_.epoch) return;
   for (const Closure& closure : report.closures) {
     switch (ledger_.book(m->agent, closure)) {
-      case Booking::booked: m->owes_grant = true; break;
+      case Booking::booked:
+        m->owes_grant = true;
+        if (closure.reason == CloseReason::blocked) {
+          cut_blocked(*m, closure.cells.first + closure.sprayed, out);
+        }
+        break;
       case Booking::known:  // the receipt may have been lost
         if (is_due(m->granted_at, now)) m->owes_grant = true;
         break;
@@ -155,6 +173,33 @@ void SchedulerNode::hear(const WorkReport& report, Instant now, Outbox& out) {
         break;
     }
   }
+}
+
+void SchedulerNode::hear(const ObstacleSeen& seen, Instant now, Outbox& out) {
+  const Member* m = member(seen.agent, seen.boot, now);
+  if (m == nullptr || seen.epoch != settings_.epoch) return;
+  const bool is_known =
+      std::any_of(obstacles_.begin(), obstacles_.end(),
+                  [&](const KeptObstacle& o) { return o.obstacle == seen.obstacle; });
+  if (is_known) return;
+  obstacles_.push_back({seen.obstacle, seen.clearance});
+  out.messages.push_back(event("obstacle_planned", text(m->agent) + " met an obstacle" +
+                                                       text(seen.obstacle) +
+                                                       ", which all fly around from now on"));
+  for (Member& other : members_) {
+    if (!is_down(other)) revise(other);
+  }
+}
+
+/// Takes cells that an obstacle blocks out of the list; what lies behind them is a piece of its
+/// own.
+void SchedulerNode::cut_blocked(Member& m, std::uint32_t first, Outbox& out) {
+  const auto blocked =
+      furrow::scheduler::cut_blocked(settings_.plan.route, m.sorties, first, obstacles_);
+  if (!blocked) return;
+  abandon(*blocked, "an obstacle stands there, with no room for a detour", out);
+  m.pieces = pieces(m.sorties);
+  revise(m);
 }
 
 /// Ends the gathering once every agent is heard of or lost.
@@ -386,7 +431,7 @@ void SchedulerNode::extend(Member& m, Addition added, Outbox& out) {
   revise(m);
 }
 
-/// Its list has changed: it is to be told.
+/// Its command has changed.
 void SchedulerNode::revise(Member& m) {
   if (m.commanded_at) ++m.revision;
   m.accepted = false;
@@ -409,7 +454,8 @@ void SchedulerNode::command(Member& m, Instant now, Outbox& out) {
                                  .target_boot = *m.boot,
                                  .epoch = settings_.epoch,
                                  .revision = m.revision,
-                                 .sorties = m.sorties});
+                                 .sorties = m.sorties,
+                                 .obstacles = obstacles(obstacles_)});
   m.commanded_at = now;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/node.hpp"
+#include "scheduler/blockage.hpp"
 #include "scheduler/fleet_plan.hpp"
 #include "scheduler/ledger.hpp"
 #include "scheduler/takeover.hpp"
@@ -35,6 +36,10 @@ struct SchedulerSettings {
 ///
 /// An agent that joins late is not waited for. Once it is heard of, the sorties that nobody has
 /// begun are shared out anew over all, unless the others would be done as early without it.
+///
+/// An obstacle that an aircraft meets is told to all that still fly or will, by a new revision with
+/// the same work. Where it blocks a strip, the cells beside it are given up, and the rest of the
+/// strip is flown to from behind it, next in the list of the aircraft that met it.
 ///
 /// The mission is finished when every cell is sprayed or given up and every living agent is down;
 /// completed when none was given up but what is uncertain. Cells that the route leaves out are
@@ -73,6 +78,7 @@ class SchedulerNode {
   void hear(const AgentState& state, Instant now, Outbox& out);
   void hear(const CommandAck& ack, Instant now, Outbox& out);
   void hear(const WorkReport& report, Instant now, Outbox& out);
+  void hear(const ObstacleSeen& seen, Instant now, Outbox& out);
 
   void gather(Instant now, Outbox& out);
   void check_leases(Instant now, Outbox& out);
@@ -94,6 +100,7 @@ class SchedulerNode {
   double done_s(const Member& m, Instant now) const;
   void spare_the_fleet(Outbox& out);
   void extend(Member& m, Addition added, Outbox& out);
+  void cut_blocked(Member& m, std::uint32_t first, Outbox& out);
   Survivor survivor(const Member& m, Instant now) const;
   std::vector<CellRange> open_cells(const Member& m) const;
   void finish_if_done(Outbox& out);
@@ -106,9 +113,10 @@ class SchedulerNode {
 
   SchedulerSettings settings_;
   Ledger ledger_;
-  std::vector<Member> members_;        ///< In order of agent id.
-  std::vector<CellRange> orphans_{};   ///< Open cells of lost agents, not yet shared out.
-  std::vector<std::uint32_t> losses_;  ///< By strip: agents lost at work on it.
+  std::vector<Member> members_;            ///< In order of agent id.
+  std::vector<CellRange> orphans_{};       ///< Open cells of lost agents, not yet shared out.
+  std::vector<KeptObstacle> obstacles_{};  ///< Met in flight, in the order heard of.
+  std::vector<std::uint32_t> losses_;      ///< By strip: agents lost at work on it.
   MissionPhase phase_ = MissionPhase::gathering;
   std::optional<MissionPhase> reported_phase_{};
   Instant state_due_{};

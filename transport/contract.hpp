@@ -59,6 +59,7 @@ inline constexpr std::array<TopicContract, topic_count> contract{{
     {"event",            role::all,       role::none,                    {256, true}, {1024}},
     {"sortie_report",    role::agents,    role::none,                    {256, true}, {64}},
     {"flight_record",    role::agents,    role::none,                    {256, true}, {64}},
+    {"obstacle_seen",    role::agents,    role::scheduler,               {256, true}, {64}},
 }};
 // clang-format on
 

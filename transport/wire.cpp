@@ -54,7 +54,8 @@ FURROW_WIRE(9)
 FURROW_WIRE(10)
 FURROW_WIRE(11)
 FURROW_WIRE(12)
+FURROW_WIRE(13)
 #undef FURROW_WIRE
-static_assert(std::variant_size_v<Body> == 13);
+static_assert(std::variant_size_v<Body> == 14);
 
 }  // namespace furrow::transport

@@ -10,6 +10,7 @@
 
 #include "idl/agent.h"
 #include "idl/command.h"
+#include "idl/obstacle.h"
 #include "idl/record.h"
 #include "idl/scheduler.h"
 #include "idl/supply.h"
@@ -18,11 +19,12 @@
 namespace furrow::transport {
 
 /// The wire's types by the index of the message in Body.
-using WireTypes = std::tuple<fleet::v1::AgentInfo, fleet::v1::AgentState, fleet::v1::Command,
-                             fleet::v1::CommandAck, fleet::v1::WorkGrant, fleet::v1::WorkReport,
-                             fleet::v1::ServiceClaim, fleet::v1::ServiceGrant,
-                             fleet::v1::StationState, fleet::v1::SchedulerState, fleet::v1::Event,
-                             fleet::v1::SortieReport, fleet::v1::FlightRecord>;
+using WireTypes =
+    std::tuple<fleet::v1::AgentInfo, fleet::v1::AgentState, fleet::v1::Command,
+               fleet::v1::CommandAck, fleet::v1::WorkGrant, fleet::v1::WorkReport,
+               fleet::v1::ServiceClaim, fleet::v1::ServiceGrant, fleet::v1::StationState,
+               fleet::v1::SchedulerState, fleet::v1::Event, fleet::v1::SortieReport,
+               fleet::v1::FlightRecord, fleet::v1::ObstacleSeen>;
 static_assert(std::tuple_size_v<WireTypes> == std::variant_size_v<Body>);
 
 template <std::size_t topic>

@@ -124,6 +124,12 @@ void fields(D& d, Seen<D, AgentState>& m, fleet::v1::AgentState& w) {
 }
 
 template <class D>
+void fields(D& d, Seen<D, SeenObstacle>& m, fleet::v1::Obstacle& w) {
+  fields(d, m.center, w.center());
+  d(m.radius, w.radius_m());
+}
+
+template <class D>
 void fields(D& d, Seen<D, Command>& m, fleet::v1::Command& w) {
   d(m.agent, w.agent());
   d(m.target_boot, w.target_boot_id());
@@ -141,6 +147,8 @@ void fields(D& d, Seen<D, Command>& m, fleet::v1::Command& w) {
                  [](D& a, auto& point, fleet::v1::Point& at) { fields(a, point, at); });
     });
   });
+  d.sequence(m.obstacles, w.obstacles(),
+             [](D& s, auto& obstacle, fleet::v1::Obstacle& o) { fields(s, obstacle, o); });
 }
 
 template <class D>
@@ -175,7 +183,7 @@ void fields(D& d, Seen<D, WorkReport>& m, fleet::v1::WorkReport& w) {
     s(closure.grant, c.grant_id());
     fields(s, closure.cells, c.cells());
     s(closure.sprayed, c.sprayed_cells());
-    s.bounded(closure.reason, c.reason(), CloseReason::sprayed, CloseReason::strayed);
+    s.bounded(closure.reason, c.reason(), CloseReason::sprayed, CloseReason::blocked);
     s(closure.at, c.at_ns());
   });
 }
@@ -281,6 +289,16 @@ void fields(D& d, Seen<D, FlightRecord>& m, fleet::v1::FlightRecord& w) {
     s(point.spraying, p.spraying());
     s(point.altitude_m, p.altitude_m());
   });
+}
+
+template <class D>
+void fields(D& d, Seen<D, ObstacleSeen>& m, fleet::v1::ObstacleSeen& w) {
+  d(m.agent, w.agent());
+  d(m.boot, w.header().boot_id());
+  d(m.epoch, w.header().epoch());
+  d(m.revision, w.revision());
+  fields(d, m.obstacle, w.obstacle());
+  d(m.clearance, w.clearance_m());
 }
 
 }  // namespace furrow::transport

@@ -22,6 +22,7 @@ class Order {
   Epoch epoch() const { return command_.epoch; }
   std::uint32_t revision() const { return command_.revision; }
   bool is_older_than(const Command& other) const;
+  const std::vector<SeenObstacle>& obstacles() const { return command_.obstacles; }
   bool is_same_as(const Command& other) const;
 
   /// Every cell of every sortie is sprayed.

@@ -24,6 +24,11 @@ struct PieceOnPath {
   std::vector<double> abeam_m{};
   double bends_from_m = 0.0, bends_to_m = 0.0;
 
+  /// Whether it is flown around an obstacle there.
+  bool is_beside_its_line(double along_m) const {
+    return is_bent() && along_m > bends_from_m && along_m < bends_to_m;
+  }
+
   bool is_bent() const { return !abeam_m.empty(); }
 
   /// Whether the valve stays open beyond the centre of the last cell.

@@ -26,6 +26,8 @@ class Surroundings {
   /// In the order learnt.
   const std::vector<SeenObstacle>& seen() const { return seen_; }
 
+  Length clearance() const { return rule_.clearance; }
+
   /// Whether a place is nearer to a seen obstacle than the clearance.
   bool is_too_near(FieldPoint place) const;
 

@@ -55,6 +55,14 @@ void WorkLedger::close_all(CloseReason reason, Instant at) {
   open_.clear();
 }
 
+void WorkLedger::close_blocked(std::uint32_t cell, Instant at) {
+  for (const Open& open : open_) {
+    const bool is_at_hand = open.window.cells.first + open.sprayed == cell;
+    close(open, is_at_hand ? CloseReason::blocked : CloseReason::superseded, at);
+  }
+  open_.clear();
+}
+
 void WorkLedger::close(const Open& open, CloseReason reason, Instant at) {
   closures_.push_back({.grant = open.window.id,
                        .cells = open.window.cells,

@@ -28,6 +28,10 @@ class WorkLedger {
   /// Closes every window as it is, oldest first.
   void close_all(CloseReason reason, Instant at);
 
+  /// The same because an obstacle blocks `cell`: only its window for that reason, and the others as
+  /// superseded.
+  void close_blocked(std::uint32_t cell, Instant at);
+
   /// Whether all that is left of the open windows is work of `order`.
   bool fits(const Order& order) const;
 

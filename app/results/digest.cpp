@@ -65,7 +65,11 @@ class Hash {
     all(m.agent, m.epoch, m.revision, m.phase, m.position, m.heading_rad, m.ground_speed, m.tank,
         m.battery, m.sortie, m.last_grant, m.last_closed);
   }
-  void operator()(const Command& m) { all(m.agent, m.epoch, m.revision, m.sorties); }
+  void operator()(const SeenObstacle& o) { all(o.center, o.radius); }
+  void operator()(const Command& m) {
+    all(m.agent, m.epoch, m.revision, m.sorties);
+    if (!m.obstacles.empty()) all(m.obstacles);
+  }
   void operator()(const CommandAck& m) {
     all(m.agent, m.epoch, m.revision, m.status, std::string_view{m.reason});
   }
@@ -91,6 +95,9 @@ class Hash {
   }
   void operator()(const FlightRecord& m) {
     all(m.agent, m.cells, m.offsets_m, m.truth, m.fix, m.track);
+  }
+  void operator()(const ObstacleSeen& m) {
+    all(m.agent, m.epoch, m.revision, m.obstacle, m.clearance);
   }
 
   void operator()(const Envelope& e) {

@@ -32,6 +32,7 @@ const char* name(CloseReason reason) {
     case CloseReason::battery_low: return "battery_low";
     case CloseReason::superseded: return "superseded";
     case CloseReason::strayed: return "strayed";
+    case CloseReason::blocked: return "blocked";
   }
   return "unknown";
 }
@@ -138,6 +139,12 @@ struct Details {
     line["battery_swap_s"] = m.swapped ? rounded(m.swap_time.base()) : 0.0;
     line["fill"] = rounded(m.filled);
     line["fill_s"] = rounded(m.fill_time.base());
+  }
+  void operator()(const ObstacleSeen& m) {
+    line["agent"] = number(m.agent);
+    line["center_m"] = point(m.obstacle.center);
+    line["radius_m"] = rounded(m.obstacle.radius.base());
+    line["clearance_m"] = rounded(m.clearance.base());
   }
   void operator()(const AgentState&) {}
   void operator()(const StationState&) {}

@@ -14,8 +14,7 @@ namespace furrow::planner {
 namespace {
 
 constexpr double same_m = 1e-6;
-constexpr double tracking_room_m = 0.1;  // that aircraft of 10 Hz stray from arcs in wind
-constexpr double corner_room_m = 0.3;    // that a rounded corner may take of a way's clearance
+constexpr double corner_room_m = 0.3;  // that a rounded corner may take of a way's clearance
 
 PathM plane(const std::vector<FieldPoint>& line) {
   PathM path;

@@ -6,6 +6,10 @@
 
 namespace furrow::planner {
 
+/// That ways around obstacles keep beyond the safety distance: aircraft of 10 Hz stray from arcs in
+/// wind.
+inline constexpr double tracking_room_m = 0.1;
+
 enum class AvoidanceMethod {
   genetic,  ///< Side or split for each crowd by genetic search, per pass and then for all.
   exact,    ///< The same by enumeration; genetic where a group of crowds is too large for it.

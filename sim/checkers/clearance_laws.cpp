@@ -12,11 +12,15 @@ constexpr double kept_share = 0.9;
 
 class ClearanceLaws final : public Checker {
  public:
-  explicit ClearanceLaws(const Facts& facts) : obstacles_{facts.field.obstacles} {
+  explicit ClearanceLaws(const Facts& facts) {
     const auto& sweep = facts.plan.sweep;
-    if (!sweep || !sweep->avoidance) obstacles_.clear();
-    std::erase_if(obstacles_, [](const Obstacle& o) { return !o.outline.empty(); });
-    if (obstacles_.empty()) return;
+    if (!sweep || !sweep->avoidance) return;
+    for (const Obstacle& o : facts.field.obstacles) {
+      if (o.outline.empty()) obstacles_.push_back({o.id, o.center, o.radius, Instant::min()});
+    }
+    for (const Surprise& s : facts.surprises) {
+      obstacles_.push_back({s.id, s.obstacle.center, s.obstacle.radius, s.appears});
+    }
     for (const auto& uav : facts.plan.uavs) {
       kept_[uav.vehicle.id] =
           std::max(Length{}, kept_share * sweep->avoidance->safety - uav.vehicle.gnss.bias);
@@ -29,7 +33,8 @@ class ClearanceLaws final : public Checker {
     const auto kept = kept_.find(flown->agent);
     if (kept == kept_.end()) return;
     for (const TrackPoint& point : flown->track) {
-      for (const Obstacle& obstacle : obstacles_) {
+      for (const Standing& obstacle : obstacles_) {
+        if (point.at < obstacle.since) continue;
         const Length away = distance(obstacle.center, point.position) - obstacle.radius;
         if (away < kept->second) tell(flown->agent, obstacle, away, kept->second, point.at);
       }
@@ -39,15 +44,22 @@ class ClearanceLaws final : public Checker {
   void conclude(Instant) override {}
 
  private:
+  struct Standing {
+    std::string id;
+    FieldPoint center;
+    Length radius;
+    Instant since;
+  };
+
   // Once for each aircraft and obstacle.
-  void tell(AgentId agent, const Obstacle& obstacle, Length away, Length kept, Instant at) {
+  void tell(AgentId agent, const Standing& obstacle, Length away, Length kept, Instant at) {
     if (!told_.insert({agent, obstacle.id}).second) return;
     report("L22", at,
            fmt::format("UAV {} was {:.2f} m from obstacle {}, less than {:.2f} m",
                        static_cast<std::uint32_t>(agent), away.base(), obstacle.id, kept.base()));
   }
 
-  std::vector<Obstacle> obstacles_;
+  std::vector<Standing> obstacles_;
   std::map<AgentId, Length> kept_;
   std::set<std::pair<AgentId, std::string>> told_;
 };

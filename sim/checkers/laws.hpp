@@ -14,8 +14,8 @@
 //          L11 first come first served
 //          L12 each refill counted once; mix and packs do not run out here, so "stock never
 //              negative" has nothing to judge
-// Clear    L22 flown tracks keep nine tenths of the safety distance from obstacles that the plan
-//              flies around, less the bias of the aircraft's fixes
+// Clear    L22 flown tracks keep nine tenths of the safety distance from obstacles that are flown
+//              around, by the plan or once they appear, less the bias of the aircraft's fixes
 //          L23 over terrain, flown tracks are never more than 1 m below work height; and on ways
 //              from and to stations never more than 1 m below the clearance, but near their ends,
 //              where they climb out and come down
@@ -25,6 +25,7 @@
 #include "core/field.hpp"
 #include "core/messages.hpp"
 #include "core/station.hpp"
+#include "core/surprise.hpp"
 #include "core/weather.hpp"
 #include "scheduler/fleet_plan.hpp"
 #include "sim/checkers/violation.hpp"
@@ -42,6 +43,7 @@ struct Facts {
   Duration claim_lease;  ///< A claim not renewed for this long is void.
   bool whole;            ///< The log ends because the mission did, so L2 must hold.
   Wind wind{};
+  std::vector<Surprise> surprises{};
 };
 
 /// One group of laws. `observe` takes every envelope in the log's order.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <map>
+#include <numbers>
 #include <set>
 #include <string>
 #include <utility>
@@ -79,6 +80,7 @@ class WorkLaws final : public Checker {
     double sortie_m = 0.0;            // cells passed with the valve open in this sortie
     std::uint32_t sortie_pieces = 0;  // straight runs of them
     std::uint32_t sorties = 0;        // reported
+    double detours_m = 0.0;           // in this sortie, at most
   };
 
   void observe_grant(const WorkGrant& grant, Instant at) {
@@ -120,7 +122,32 @@ class WorkLaws final : public Checker {
                fmt::format("{} sprayed cell {} without a grant", text(node(flown.agent)), cell));
       }
     }
+    work.detours_m += detours_m(flown);
     observe_track(flown);
+  }
+
+  // The most that ways around obstacles met in flight add to what was sprayed: half circles through
+  // the turn circles, (pi - 2) (R_z + R), for each obstacle passed. Turn circles are within a
+  // swath.
+  double detours_m(const FlightRecord& flown) const {
+    const auto known = vehicles_.find(flown.agent);
+    if (known == vehicles_.end()) return 0.0;
+    const Length swath = known->second.swath;
+    const Length turn = std::max(swath, 1.25 * known->second.min_turn_radius);
+    double sum_m = 0.0;
+    for (const Surprise& s : facts_.surprises) {
+      const Length around = s.obstacle.radius + safety() + turn;
+      const bool passes = std::any_of(flown.track.begin(), flown.track.end(), [&](const auto& p) {
+        return p.spraying && distance(p.position, s.obstacle.center) < around + swath;
+      });
+      if (passes) sum_m += (std::numbers::pi - 2.0) * around.base();
+    }
+    return sum_m;
+  }
+
+  Length safety() const {
+    const auto& sweep = facts_.plan.sweep;
+    return sweep && sweep->avoidance ? sweep->avoidance->safety : Length{};
   }
 
   // Half a swath and what the fix may be off by: nobody can steer closer than he sees.
@@ -198,7 +225,9 @@ class WorkLaws final : public Checker {
     work.sorties = sortie.sortie + 1;
     const double cell_m = facts_.plan.route.cell.base();
     const double covered_m = work.sortie_m;
-    const double slack_m = 0.02 * covered_m + (2.0 + 0.5 * work.sortie_pieces) * cell_m;
+    const double slack_m =
+        0.02 * covered_m + (2.0 + 0.5 * work.sortie_pieces) * cell_m + work.detours_m;
+    work.detours_m = 0.0;
     work.sortie_m = 0.0;
     work.sortie_pieces = 0;
     if (std::abs(sortie.sprayed.base() - covered_m) > slack_m) {

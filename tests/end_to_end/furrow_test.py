@@ -193,6 +193,15 @@ class Deaths(Furrow):
         self.assertGreater(len(result["uavs"][3]["sorties"]), 0)
         self.assertLessEqual(result["faults"][0]["noticed_s"], 601)
 
+    def test_a_tree_that_no_map_shows_is_flown_around_by_sim_and_run_alike(self):
+        for command in ("sim", "run"):
+            done = furrow(command, ROOT / "scenarios/surprise_tree.yaml", "--out", self.out(command))
+            self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(without_timing(self.out("sim")), without_timing(self.out("run")))
+        events = (self.out("run") / "events.jsonl").read_bytes()
+        self.assertEqual((self.out("sim") / "events.jsonl").read_bytes(), events)
+        self.assertIn(b"obstacle_planned", events)
+
     def test_a_killed_agent_process_leaves_dry_what_it_held_and_results(self):
         process = self.started("run", self.garden, "--speed", 60, "--out", self.out("run"))
         agents = lambda: [pid for pid, line in processes_in(self.garden).items()

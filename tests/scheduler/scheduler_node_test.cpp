@@ -287,6 +287,40 @@ TEST_CASE("scheduler_node: who joins when all is begun, or never, changes nothin
   }
 }
 
+TEST_CASE("scheduler_node: an obstacle is told to all once, with the same work", "[scheduler]") {
+  SchedulerNode scheduler{settings(seconds{3})};
+  std::uint64_t seq = 0;
+  const auto tell = [&](std::uint32_t from, Instant now, Body body) {
+    const NodeId sender = node(AgentId{from});
+    return scheduler.step({{sender, ++seq, now, std::move(body)}}, now).messages;
+  };
+  std::map<AgentId, std::vector<Command>> told;
+  const auto take = [&](const std::vector<Body>& said) {
+    for (const Body& body : said) {
+      if (const auto* c = std::get_if<Command>(&body)) told[c->agent].push_back(*c);
+    }
+  };
+  for (const std::uint32_t i : {1u, 2u, 3u}) {
+    take(tell(i, Instant{}, AgentInfo{AgentId{i}, BootId{i}, vehicle(i)}));
+  }
+  const ObstacleSeen seen{.agent = AgentId{1},
+                          .boot = BootId{1},
+                          .epoch = Epoch{1},
+                          .revision = 1,
+                          .obstacle = {at_m(1, 5), metres(1)},
+                          .clearance = metres(2)};
+  for (const int second : {1, 2}) take(tell(1, at_s(second), seen));
+  for (const std::uint32_t i : {1u, 2u}) {
+    const auto& commands = told[AgentId{i}];
+    REQUIRE(commands.size() == 2);
+    CHECK(commands[0].obstacles.empty());
+    CHECK(commands[1].revision == 2);
+    CHECK(commands[1].obstacles == std::vector{seen.obstacle});
+    REQUIRE(commands[1].sorties.size() == commands[0].sorties.size());
+    CHECK(commands[1].sorties[0].pieces == commands[0].sorties[0].pieces);
+  }
+}
+
 TEST_CASE("scheduler_node: where nobody is left all is given up, with a reason", "[scheduler]") {
   SchedulerSettings s = settings(seconds{3});
   s.plan.uavs = {uav_plan(s.plan.route, 1, {0, 6}, {})};

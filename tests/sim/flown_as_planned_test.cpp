@@ -7,6 +7,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <set>
 
 namespace furrow::sim {
 namespace {
@@ -59,7 +60,58 @@ Facts facts_of(const mission::Scenario& scenario, const scheduler::FleetPlan& pl
           .plan = plan,
           .claim_lease = scenario.agent_lease,
           .whole = true,
-          .wind = scenario.wind};
+          .wind = scenario.wind,
+          .surprises = scenario.surprises};
+}
+
+TEST_CASE("flown as planned: around a tree that no map shows, by all laws and every cell once",
+          "[sim]") {
+  const mission::Scenario scene = scenario("surprise_tree");
+  const auto plan = scheduler::plan_fleet(mission::fleet_problem(scene));
+  REQUIRE(plan);
+  const Log log = flown(scene, *plan);
+  REQUIRE(log.finished);
+  const Facts facts = facts_of(scene, *plan);
+  for (const Violation& v : violations(facts, log.envelopes, log.ended)) FAIL(v.law << v.detail);
+  std::set<AgentId> sighted, told;
+  for (const Envelope& e : log.envelopes) {
+    if (const auto* seen = std::get_if<ObstacleSeen>(&e.body)) sighted.insert(seen->agent);
+    const auto* command = std::get_if<Command>(&e.body);
+    if (command && !command->obstacles.empty()) told.insert(command->agent);
+  }
+  CHECK(sighted.size() == 1);
+  CHECK(told.size() == 2);
+  CHECK(makespan_s(log) / plan->makespan_s == Approx(1.0).margin(0.05));
+}
+
+TEST_CASE("flown as planned: behind a tree that leaves no way the strips are flown from elsewhere",
+          "[sim]") {
+  // Two rows in an alley of 12 m, and 6.1 m around the centre to keep clear of.
+  mission::Scenario alley = scenario("surprise_tree");
+  alley.field.boundary = {at_m(0, 0), at_m(12, 0), at_m(12, 200), at_m(0, 200)};
+  alley.stations[0].position = at_m(6, -10);
+  for (Vehicle& v : alley.uavs) v.home = at_m(6, -10);
+  alley.uavs.erase(alley.uavs.begin() + 1, alley.uavs.end());
+  alley.surprises[0].obstacle = {at_m(6, 110), metres(4.5)};
+  const auto plan = scheduler::plan_fleet(mission::fleet_problem(alley));
+  REQUIRE(plan);
+  const Log log = flown(alley, *plan);
+  REQUIRE(log.finished);
+  const Facts facts = facts_of(alley, *plan);
+  for (const Violation& v : violations(facts, log.envelopes, log.ended)) FAIL(v.law << v.detail);
+  SchedulerState last{};
+  std::size_t blocked = 0;
+  for (const Envelope& e : log.envelopes) {
+    if (const auto* state = std::get_if<SchedulerState>(&e.body)) last = *state;
+    const auto* event = std::get_if<Event>(&e.body);
+    blocked += event != nullptr && event->kind == "way_blocked";
+  }
+  CHECK_FALSE(last.completed);
+  CHECK(blocked == 2);
+  // Of 400 m of rows at most 2 6.1 m each lie within the circle, and half a metre and a cell before
+  // and behind: cells of 6 m.
+  CHECK(last.abandoned_cells * plan->route.cell.base() < 2 * (12.2 + 0.5 + 2 * 6));
+  CHECK(last.abandoned_cells > 0);
 }
 
 TEST_CASE("flown as planned: over hills, in time and of the packs, at heights that are kept",

@@ -83,7 +83,8 @@ std::vector<Envelope> samples() {
                        .epoch = Epoch{2},
                        .revision = 5,
                        .sorties = {{.pieces = {piece, piece}, .station = StationId{2}},
-                                   {.pieces = {piece}, .station = StationId{1}}}}),
+                                   {.pieces = {piece}, .station = StationId{1}}},
+                       .obstacles = {{at_m(13, 14), metres(1.5)}}}),
           from(agent, CommandAck{.agent = AgentId{7},
                                  .boot = BootId{3},
                                  .epoch = Epoch{2},
@@ -147,7 +148,13 @@ std::vector<Envelope> samples() {
                                    .track = {{.at = Instant{Duration{5}},
                                               .position = at_m(1, 2),
                                               .spraying = true,
-                                              .altitude_m = 33}}})};
+                                              .altitude_m = 33}}}),
+          from(agent, ObstacleSeen{.agent = AgentId{7},
+                                   .boot = BootId{3},
+                                   .epoch = Epoch{2},
+                                   .revision = 5,
+                                   .obstacle = {at_m(13, 14), metres(1.5)},
+                                   .clearance = metres(1.6)})};
 }
 
 template <std::size_t topic>

@@ -36,6 +36,7 @@ std::vector<Line> lines(const MissionRecord& record) {
       const std::string_view why = c.reason == CloseReason::tank_low      ? "tank low"
                                    : c.reason == CloseReason::battery_low ? "battery low"
                                    : c.reason == CloseReason::strayed     ? "strayed from its line"
+                                   : c.reason == CloseReason::blocked     ? "blocked by an obstacle"
                                                                           : "a newer order came";
       all.push_back({c.at, text(e.from), "closed_early",
                      fmt::format("grant {}: {} of {} cells sprayed, {}", c.grant, c.sprayed,

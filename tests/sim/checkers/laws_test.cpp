@@ -37,6 +37,28 @@ TEST_CASE("laws: L22 a track too near to an obstacle that the plan flies around"
   CHECK(broken_at(1.0).empty());
 }
 
+TEST_CASE("laws: L22 a track too near to an obstacle that no plan knows, once it is there",
+          "[sim]") {
+  // As above, at 1.39 m from the centre at 6 s.
+  const auto broken_from = [](double appears_s) {
+    Facts f = facts();
+    f.plan.sweep.emplace();
+    f.plan.sweep->avoidance.emplace().safety = metres(1);
+    f.surprises = {{.id = "tree",
+                    .obstacle = {at_m(20, 4), metres(0.5)},
+                    .appears = at(appears_s),
+                    .seen_within = metres(20)}};
+    Script s = clean_run();
+    FlightRecord record = flight({0, 0});
+    record.track = {{at(6), at_m(18.61, 4), false}};
+    s.say(node(one), 6, record);
+    s.say(scheduler_node(), 7, finished(4, 0));
+    return broken_laws(f, s);
+  };
+  CHECK(broken_from(0) == std::vector<std::string>{"L22"});
+  CHECK(broken_from(6.5).empty());
+}
+
 TEST_CASE("laws: L21 messages of strangers are told once and judged no further", "[sim]") {
   constexpr AgentId stranger{9};
   Script s = clean_run();

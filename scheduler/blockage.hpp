@@ -1,0 +1,29 @@
+#pragma once
+
+#include "core/work.hpp"
+#include "planner/coverage/route.hpp"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace furrow::scheduler {
+
+/// An obstacle met in flight, and how far aircraft keep from its edge.
+struct KeptObstacle {
+  SeenObstacle obstacle;
+  Length clearance;
+};
+
+/// Cuts what obstacles block out of a list of sorties: in the piece that holds `first`, all from
+/// there to the first cell behind an obstacle whose own edge is clear again. What the piece has
+/// before stays, what it has behind follows as a piece of its own, flown to straight. A sortie that
+/// has nothing left is dropped.
+///
+/// @param first  The cell to spray next, where the aircraft is held up.
+/// @return  The cells cut out: all the rest of the piece where no obstacle is near to it. Nothing,
+///          and nothing is changed, where no obstacle is known or no piece holds the cell.
+std::optional<CellRange> cut_blocked(const planner::Route& route, std::vector<SortieOrder>& sorties,
+                                     std::uint32_t first, std::span<const KeptObstacle> obstacles);
+
+}  // namespace furrow::scheduler
