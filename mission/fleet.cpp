@@ -44,8 +44,8 @@ Length position_error(const std::vector<Vehicle>& uavs) {
 }
 
 // Rows under an RTK fix stray by 0.8 of its standard deviation; an overlap of nearly four such
-// errors leaves a hundredth of the gaps of rows laid edge to edge. More than a tenth of the swath
-// would cost more than it closes.
+// errors leaves less than a hundredth of the gaps of rows laid edge to edge. A bias shifts all rows
+// of an aircraft alike. More than a tenth of the swath would cost more than it closes.
 Length usual_overlap(const std::vector<Vehicle>& uavs) {
   Length most{};
   for (const Vehicle& v : uavs) most = std::max(most, std::min(3.0 * v.gnss.sigma, 0.1 * v.swath));

@@ -220,8 +220,10 @@ Expected<SwathCoverage, PlanError> coverage_around(const Field& field, Length sw
                             settings.avoidance->safety + metres(tracking_room_m));
   if (!room) return Unexpected{room.error()};
 
+  // What rows overlap by on purpose is not what detours spray twice.
+  const Length overlap = settings.row_overlap.value_or(Length{});
   std::vector<StraightStrip> strips;
-  for (const SwathStrip& s : made->strips) strips.push_back({s.from, s.to, s.width});
+  for (const SwathStrip& s : made->strips) strips.push_back({s.from, s.to, s.width - overlap});
   const AvoidancePlan plan = plan_avoidance(strips, *room, *settings.avoidance);
   AvoidanceSettings half_circles = *settings.avoidance;
   half_circles.method = AvoidanceMethod::classic;

@@ -1,5 +1,6 @@
 #include "scheduler/plan_fleet.hpp"
 
+#include "planner/coverage/swath/swath.hpp"
 #include "planner/returns/simple.hpp"
 #include "planner/returns/unplanned.hpp"
 #include "scheduler/forecast.hpp"
@@ -117,6 +118,26 @@ TEST_CASE("plan_fleet: no worse than all aircraft unplanned, and than all simple
   CHECK(plan->makespan_s <= makespan_s(*plan, p.stations, [](const auto& share) {
                               return planner::simple_plan(share);
                             }) + 1e-9);
+}
+
+TEST_CASE("plan_fleet: ferries of a walk lead around what lies between its cells", "[scheduler]") {
+  FleetProblem p = problem(60, 60, 1);
+  p.field.holes = {{at_m(20, 12), at_m(40, 12), at_m(40, 60), at_m(20, 60)}};
+  p.work_direction_deg = 90;
+  const auto plan = plan_fleet(p);
+  REQUIRE(plan);
+  std::size_t led = 0;
+  const auto& strips = plan->route.strips;
+  for (std::size_t i = 1; i < strips.size(); ++i) {
+    if (strips[i].continues) continue;
+    std::vector<FieldPoint> way{strips[i - 1].end};
+    way.insert(way.end(), strips[i].approach.begin(), strips[i].approach.end());
+    way.push_back(strips[i].begin);
+    INFO("from strip " << i);
+    CHECK(planner::length_outside(p.field, {way}, metres(0.1)) == Length{});
+    if (!strips[i].approach.empty()) ++led;
+  }
+  CHECK(led > 0);
 }
 
 TEST_CASE("plan_fleet: the same problem gives the same plan", "[scheduler]") {

@@ -24,7 +24,7 @@ class RowStack {
     const Span next = span(a, b), last = spans_.back();
     const double step_m = next.v_m - last.v_m, away_m = std::abs(step_m);
     const bool straight = std::abs(frame_.to(b).y - frame_.to(a).y) <= same_m;
-    const bool beside = away_m <= 2 * half_m_ + same_m && away_m >= half_m_ + same_m &&
+    const bool beside = away_m <= 2 * half_m_ + same_m && away_m >= half_m_ - same_m &&
                         (spans_.size() == 1 || (step_m > 0) == upwards_);
     const bool overlaps =
         std::min(next.high_m, last.high_m) - std::max(next.low_m, last.low_m) > same_m;
@@ -44,6 +44,7 @@ class RowStack {
     RingM right, left;
     double bottom_m = rows.front().v_m - half_m_;
     const auto band = [&](double low_m, double high_m, double top_m) {
+      if (top_m <= bottom_m) return;
       right.insert(right.end(), {{high_m, bottom_m}, {high_m, top_m}});
       left.insert(left.end(), {{low_m, bottom_m}, {low_m, top_m}});
       bottom_m = top_m;

@@ -47,13 +47,13 @@ void cover_edges(PartPlan& plan, const EdgeStrips& more, const LandPart& flight,
        std::max(plan.missed_m2, rule.settings.miss_tolerance * area_m2(land)));
 }
 
-void finish_with(PartPlan& plan, const EdgeStrips& more, const LandPart& flight,
-                 const LandParts& land, const InsidePaths& paths, const PlanRule& rule) {
+void finish(PartPlan& plan, const EdgeStrips& more, const LandPart& flight, const LandParts& land,
+            const InsidePaths& paths, const PlanRule& rule) {
   if (rule.settings.edges == EdgeMode::cover_all) {
     cover_edges(plan, more, flight, land, paths, rule);
   }
   for (OrderedStrip& strip : plan.order.strips) {
-    strip.approach = clear_of_corners(strip.approach, paths.edges(), rule.swath_m / 2);
+    strip.approach = clear_of_corners(strip.approach, paths.edges(), rule.boom_m / 2);
   }
 }
 
@@ -74,24 +74,20 @@ std::vector<SprayedRun> runs_of(const std::vector<OrderedStrip>& strips) {
   return runs;
 }
 
-void finish(PartPlan& plan, const LandPart& flight, const LandParts& land, const InsidePaths& paths,
-            const PlanRule& rule) {
-  finish_with(plan, missed_edges(plan, flight, land, rule), flight, land, paths, rule);
-}
-
 PartPlan cheapest_finished(std::vector<PartPlan> plans, const LandPart& flight,
                            const LandParts& land, const InsidePaths& paths, const PlanRule& rule) {
   require(!plans.empty(), "a part has a plan");
-  plans.resize(std::min(plans.size(), most_finished));
-  const auto when = plans.size() > 1 ? std::launch::async : std::launch::deferred;
+  // Nothing that is finished in `stay_inside` costs more than before.
+  const bool adds = rule.settings.edges == EdgeMode::cover_all;
+  plans.resize(std::min(plans.size(), adds ? most_finished : 1));
   std::vector<std::future<EdgeStrips>> more;
   more.reserve(plans.size());
   for (const PartPlan& plan : plans) {
-    more.push_back(std::async(when, [&] { return missed_edges(plan, flight, land, rule); }));
+    more.push_back(std::async([&] { return missed_edges(plan, flight, land, rule); }));
   }
   std::size_t best = 0;
   for (std::size_t i = 0; i < plans.size(); ++i) {
-    finish_with(plans[i], more[i].get(), flight, land, paths, rule);
+    finish(plans[i], more[i].get(), flight, land, paths, rule);
     if (cost_m(plans[i], rule) < cost_m(plans[best], rule)) best = i;
   }
   return std::move(plans[best]);

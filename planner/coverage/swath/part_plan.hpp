@@ -21,7 +21,8 @@ struct PartPlan {
 
 /// What all pieces of a field share.
 struct PlanRule {
-  double swath_m;
+  double swath_m;  ///< Between rows: less than the boom where they overlap.
+  double boom_m;
   double margin_m;
   SwathSettings settings;
   std::optional<PointM> start;

@@ -30,8 +30,9 @@ struct SwathSettings {
   Length spray_margin{};  ///< In `stay_inside`: least distance of sprayed bands from every edge,
                           ///< for what the position may err, >= 0.
   LastRow last_row = LastRow::shifted;
-  /// By how much neighbouring rows overlap, so that none of the errors flown leave gaps, >= 0 and
-  /// below the swath; none when left out. Along edges of `cover_all`, half of it is overspray.
+  /// By how much neighbouring rows overlap, so that errors flown leave hardly any gaps, >= 0 and at
+  /// most half the swath; none when left out. Half of it is overspray along edges of `cover_all`,
+  /// and left out at the ends of rows in `stay_inside`.
   std::optional<Length> row_overlap{};
   /// Heading of the rows, clockwise from north, as along an AB line; searched when left out.
   std::optional<double> direction_deg{};

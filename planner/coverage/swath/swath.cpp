@@ -183,7 +183,7 @@ Expected<SwathCoverage, PlanError> swath_coverage(const Field& field, Length swa
               settings.headland_passes >= 0 && settings.turn_cost >= Length{},
           "least strips, headland passes and turn costs are at least 0");
   const Length overlap = settings.row_overlap.value_or(Length{});
-  require(overlap >= Length{} && overlap < swath, "rows overlap by less than a swath");
+  require(overlap >= Length{} && overlap <= 0.5 * swath, "rows overlap by half a swath at most");
   // Bands narrower by the overlap are laid edge to edge, then widened to both sides.
   const Length kept =
       settings.edges == EdgeMode::stay_inside ? settings.spray_margin + 0.5 * overlap : Length{};
@@ -193,9 +193,10 @@ Expected<SwathCoverage, PlanError> swath_coverage(const Field& field, Length swa
   // Rows are laid on what may be sprayed; what they cover is judged on all of the land.
   FieldLand sprayable = *land;
   sprayable.land = offset(land->land, -kept.base());
-  if (auto error = too_many_rows(land->land, swath.base())) return Unexpected{*error};
+  if (auto error = too_many_rows(land->land, (swath - overlap).base())) return Unexpected{*error};
 
-  PlanRule rule{(swath - overlap).base(), (margin - kept).base(), settings, std::nullopt};
+  PlanRule rule{(swath - overlap).base(), swath.base(), (margin - kept).base(), settings,
+                std::nullopt};
   if (settings.near) rule.start = plane_point(*settings.near, land->origin);
   std::optional<RowDirection> direction;
   if (settings.direction_deg) {

@@ -76,8 +76,9 @@ struct Verdict {
 Verdict tried(std::uint64_t seed) {
   Random random{seed};
   const Field field = random_field(random);
-  const SwathSettings settings = random_settings(random);
+  SwathSettings settings = random_settings(random);
   const Length swath = metres(random.uniform(1.5, 6));
+  if (random.below(2) == 0) settings.row_overlap = random.uniform(0, 0.5) * swath;
   const auto c = swath_coverage(field, swath, settings);
   if (!c) return {};
   const SprayedAreas& a = c->areas;

@@ -3,6 +3,8 @@
 #include "tests/planner/coverage/swath/swath_test_support.hpp"
 
 #include <catch2/catch.hpp>
+
+#include <algorithm>
 #include <cmath>
 
 using namespace furrow;
@@ -110,6 +112,39 @@ TEST_CASE("rows that overlap cover the same land with more of them, and half the
   CHECK(inside->areas.outside.base() == Approx(0).margin(1e-6));
   // What the inset by half the overlap takes from the ends of the rows.
   CHECK(inside->areas.missed.base() == Approx(2 * 0.1 * 10).margin(0.01));
+}
+
+TEST_CASE("overlap leaves a narrowed last row what is left and its overlap") {
+  const Field field{.boundary = {at_m(0, 0), at_m(100, 0), at_m(100, 10), at_m(0, 10)},
+                    .holes = {},
+                    .obstacles = {}};
+  const auto c = swath_coverage(
+      field, metres(2),
+      {.last_row = LastRow::narrowed, .row_overlap = metres(0.2), .direction_deg = 90});
+  REQUIRE(c);
+  // Five rows 1.8 m apart take 9 m; 1 m is left, 0.1 m more to both sides.
+  REQUIRE(c->strips.size() == 6);
+  const auto narrowest =
+      std::min_element(c->strips.begin(), c->strips.end(),
+                       [](const SwathStrip& a, const SwathStrip& b) { return a.width < b.width; });
+  CHECK(narrowest->width.base() == Approx(1.2));
+  CHECK(c->areas.covered.base() == Approx(1000));
+  CHECK(c->areas.outside.base() == Approx(20));
+}
+
+TEST_CASE("rounds of a headland overlap as rows do") {
+  const Field field{.boundary = {at_m(0, 0), at_m(100, 0), at_m(100, 60), at_m(0, 60)},
+                    .holes = {},
+                    .obstacles = {}};
+  const auto c =
+      swath_coverage(field, metres(2), {.row_overlap = metres(0.2), .headland_passes = 2});
+  REQUIRE(c);
+  // The middle of the outer round is half of 1.8 m inside; its band of 2 m begins 0.1 m outside.
+  const auto outermost = std::min_element(
+      c->strips.begin(), c->strips.end(),
+      [](const SwathStrip& a, const SwathStrip& b) { return a.from.y < b.from.y; });
+  CHECK(outermost->from.y.base() == Approx(0.9));
+  CHECK(covered_share(*c) >= 0.999);
 }
 
 TEST_CASE("hundreds of rows leave no seam between them") {
