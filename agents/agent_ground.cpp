@@ -4,6 +4,7 @@
 #include "core/require.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace furrow::agents {
 namespace {
@@ -12,6 +13,10 @@ namespace {
 constexpr double forecast_factor = 1.005;
 constexpr double forecast_slack_s = 6.0;
 constexpr double nothing_to_fill = 1e-9;
+
+// What a tank that cannot be filled must still hold for one more sortie.
+constexpr double least_tank = 0.05, least_cells = 4.0;
+constexpr double hair_m = 1e-3;
 
 }  // namespace
 
@@ -140,25 +145,50 @@ void AgentNode::leave_bay() {
   ready_ = std::max(ready_, visit_->grant().ready);
   const ServiceClaim& claim = visit_->claim();
   const Station& at = station(claim.station);
-  if (claim.swap) {
+  const bool swaps = visit_->swaps();
+  const double fills = visit_->fills();
+  if (swaps) {
     aircraft_.stores.pack_share = 1.0;
     ++pack_;
   }
-  aircraft_.stores.tank_share = std::min(1.0, aircraft_.stores.tank_share + claim.fill);
+  aircraft_.stores.tank_share = std::min(1.0, aircraft_.stores.tank_share + fills);
   sortie_.serviced = true;
   sortie_.station = claim.station;
   sortie_.bay = visit_->grant().bay;
-  sortie_.swapped = claim.swap;
-  sortie_.filled = claim.fill;
+  sortie_.swapped = swaps;
+  sortie_.filled = fills;
   sortie_.wait = seconds(visit_->grant().starts - claim.first_claimed);
-  sortie_.swap_time = claim.swap ? at.battery_swap : Seconds{};
-  sortie_.fill_time = fill_time(at, claim.fill);
+  sortie_.swap_time = swaps ? at.battery_swap : Seconds{};
+  sortie_.fill_time = fill_time(at, fills);
+  note_lack(swaps, fills);
   visit_->release();
   send(visit_->claim());
   report_sortie();
   is_prepared_ = true;
   phase_ = Phase::wait;
   if (order_->is_finished()) finish(ready_);
+}
+
+// The station cannot help it: it flies with what it has, as far as that goes.
+void AgentNode::go_without(Instant t) {
+  ready_ = std::max(ready_, t);
+  note_lack(false, 0.0);
+  visit_->release();
+  send(visit_->claim());
+  report_sortie();
+  is_prepared_ = true;
+  if (order_->is_finished()) finish(ready_);
+}
+
+// Keeps in words what it was given less of than it claimed.
+void AgentNode::note_lack(bool swap, double fill) {
+  const ServiceClaim& claim = visit_->claim();
+  const bool lacks_pack = claim.swap && !swap, lacks_mix = fill < claim.fill;
+  lack_.clear();
+  if (!lacks_pack && !lacks_mix) return;
+  const char* what = !lacks_mix ? "charged pack" : lacks_pack ? "mix and charged pack" : "mix";
+  lack_ = "station " + std::to_string(number(claim.station)) + " has no " + what + " for it";
+  note("not_served", "finds that " + lack_);
 }
 
 bool AgentNode::is_licensed() const {
@@ -174,15 +204,30 @@ void AgentNode::try_take_off(Instant t) {
       straight_way_s(ferry_pack_m(here, entry, vehicle_, settings_.ferries), vehicle_) +
       straight_way_s(ferry_pack_m(entry, home_.position, vehicle_, settings_.ferries), vehicle_);
   if (there_and_back_s + forecast_slack_s > aircraft_.stores.flight_left_s(vehicle_)) {
-    ledger_.close_all(CloseReason::battery_low, t);
-    send_report(t);
-    phase_ = Phase::offline;
-    return acknowledge(AckStatus::failed, "cell " + std::to_string(order_->next_cell()) +
-                                              " is out of reach of one pack");
+    const std::string cell = "cell " + std::to_string(order_->next_cell());
+    return give_up(CloseReason::battery_low,
+                   lack_.empty() ? cell + " is out of reach of one pack" : lack_, t);
   }
-  take_off(sortie_route(aircraft_.estimate_m(), rest, xy_m(home_.position), vehicle_,
-                        settings_.ferries, around_),
-           t);
+  SortieRoute route = sortie_route(aircraft_.estimate_m(), rest, xy_m(home_.position), vehicle_,
+                                   settings_.ferries, around_);
+  if (lacks_mix(route)) return give_up(CloseReason::tank_low, lack_, t);
+  take_off(std::move(route), t);
+}
+
+// Whether the station left it with so little that a sortie is not worth its flight.
+bool AgentNode::lacks_mix(const SortieRoute& route) const {
+  if (lack_.empty()) return false;
+  const double least_m =
+      least_tank * tank_range(vehicle_).base() + least_cells * route.pieces.front().spacing_m;
+  return aircraft_.stores.spray_left_m(vehicle_) < std::min(least_m, route.spray_m) - hair_m;
+}
+
+// On the ground: its work is for others.
+void AgentNode::give_up(CloseReason reason, std::string why, Instant t) {
+  ledger_.close_all(reason, t);
+  send_report(t);
+  phase_ = Phase::offline;
+  acknowledge(AckStatus::failed, std::move(why));
 }
 
 void AgentNode::take_off(SortieRoute route, Instant t) {

@@ -40,6 +40,7 @@ void AgentNode::receive(const Body& body, Instant now) {
   }
   if (const auto* grant = std::get_if<ServiceGrant>(&body)) {
     if (grant->agent == vehicle_.id && visit_ && visit_->accept(*grant)) {
+      if (visit_->is_refused()) return go_without(now);
       if (!visit_->is_released()) {
         phase_ = Phase::service;
         ready_ = now;

@@ -96,6 +96,10 @@ class AgentNode {
   void prepare(Instant t);
   Demand demand() const;
   void leave_bay();
+  void go_without(Instant t);
+  void note_lack(bool swap, double fill);
+  bool lacks_mix(const SortieRoute& route) const;
+  void give_up(CloseReason reason, std::string why, Instant t);
   void try_take_off(Instant t);
   bool is_licensed() const;
   void take_off(SortieRoute route, Instant t);
@@ -155,6 +159,7 @@ class AgentNode {
   Instant ready_{};          // since when nothing but what came last kept it on the ground
   std::optional<BayVisit> visit_;
   std::uint64_t claims_ = 0;
+  std::string lack_;  // what its station has come to the end of, as words
 
   // Timers.
   bool is_known_ = false;  // has introduced itself

@@ -146,16 +146,19 @@ struct ServiceClaim {
   double fill;          ///< Share of a tank wanted, 0 .. 1.
 };
 
-/// A bay for a claim. Valid until `expires` unless the claim is renewed before.
+/// A bay for a claim. Valid until `expires` unless the claim is renewed before. Without a bay,
+/// token or gift it says that the station has nothing left of what is claimed, and never will have.
 struct ServiceGrant {
   AgentId agent;
   StationId station;
   std::uint64_t claim;
-  std::uint32_t bay;    ///< 1 .. bays.
+  std::uint32_t bay;    ///< 1 .. bays; 0: refused.
   std::uint64_t token;  ///< Rises with every grant of the station; an older one is void.
   Instant starts;       ///< Service begins.
-  Instant ready;        ///< Service ends: the aircraft is charged and filled as claimed.
+  Instant ready;        ///< Service ends: the aircraft is charged and filled as given.
   Instant expires;
+  bool swap = true;   ///< A pack is given if it was claimed.
+  double fill = 1.0;  ///< Most that is given of the share of a tank claimed.
 };
 
 struct BayState {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 
 namespace furrow {
 
@@ -12,10 +13,12 @@ namespace furrow {
 struct Station {
   StationId id;
   FieldPoint position;
-  std::uint32_t bays;    ///< Aircraft served at once, >= 1.
-  Seconds battery_swap;  ///< T_e.
-  Seconds fill_base;     ///< t_b: coupling, mixing; spent even for a nearly full tank.
-  Seconds fill_full;     ///< T_p,max: time to fill an empty tank, base included.
+  std::uint32_t bays;           ///< Aircraft served at once, >= 1.
+  Seconds battery_swap;         ///< T_e.
+  Seconds fill_base;            ///< t_b: coupling, mixing; spent even for a nearly full tank.
+  Seconds fill_full;            ///< T_p,max: time to fill an empty tank, base included.
+  std::optional<Volume> mix{};  ///< There at the start; none: no end of it.
+  std::optional<std::uint32_t> packs{};  ///< Charged ones at the start; none: no end of them.
 };
 
 /// Time to fill `share` of a tank, 0 < share <= 1; nothing to fill takes no time.

@@ -125,7 +125,7 @@ AnyNode supply_node(const Scenario& scenario, StationId station) {
   std::map<AgentId, Volume> tanks;
   for (const Vehicle& uav : scenario.uavs) tanks[uav.id] = uav.tank;
   return AnyNode{supply::SupplyNode{{.station = with_id(scenario.stations, station),
-                                     .tanks = tanks,
+                                     .tanks = std::move(tanks),
                                      .terms = {.lease = scenario.agent_lease}}}};
 }
 

@@ -214,12 +214,16 @@ std::vector<Obstacle> read_obstacles(const Section& root, Draft& draft) {
 
 Station read_station(const Section& s) {
   const Section fill = s.required_section("fill");
-  const Station station{.id = static_cast<StationId>(s.whole("id", 1, most_id)),
-                        .position = s.point("position_m"),
-                        .bays = static_cast<std::uint32_t>(s.whole("bays", 1, 100, 1)),
-                        .battery_swap = seconds(s.number("battery_swap_s", from_to(0, 86'400))),
-                        .fill_base = seconds(fill.number("base_s", from_to(0, 86'400))),
-                        .fill_full = seconds(fill.number("full_s", from_to(0, 86'400)))};
+  const auto mix_l = s.optional_number("mix_l", from_to(0, 1e9), "no end of it");
+  const auto packs = s.optional_whole("packs", 0, 1'000'000, "no end of them");
+  Station station{.id = static_cast<StationId>(s.whole("id", 1, most_id)),
+                  .position = s.point("position_m"),
+                  .bays = static_cast<std::uint32_t>(s.whole("bays", 1, 100, 1)),
+                  .battery_swap = seconds(s.number("battery_swap_s", from_to(0, 86'400))),
+                  .fill_base = seconds(fill.number("base_s", from_to(0, 86'400))),
+                  .fill_full = seconds(fill.number("full_s", from_to(0, 86'400)))};
+  if (mix_l) station.mix = litres(*mix_l);
+  if (packs) station.packs = static_cast<std::uint32_t>(*packs);
   if (fill.has("base_s") && station.fill_base > station.fill_full) {
     fill.fail("base_s", fmt::format("must not exceed full_s, {:.10g}", station.fill_full.base()));
   }

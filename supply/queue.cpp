@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 namespace furrow::supply {
 namespace {
+
+constexpr double worth_coupling = 0.01;  // of a tank: of a rest below that nobody is given
 
 bool is_before(const Visit& a, const Visit& b) {
   return std::tie(a.first_claimed, a.agent) < std::tie(b.first_claimed, b.agent);
@@ -18,7 +21,8 @@ bool is_sound(const ServiceClaim& claim) {
 
 }  // namespace
 
-BayQueue::BayQueue(const Station& station, LeaseTerms terms) : station_{station}, terms_{terms} {
+BayQueue::BayQueue(const Station& station, LeaseTerms terms, std::map<AgentId, Volume> tanks)
+    : station_{station}, terms_{terms}, tanks_{std::move(tanks)} {
   require(station.bays >= 1, "a station has a bay");
   require(terms.lease > Duration::zero() && terms.clearing >= Duration::zero(),
           "a lease lasts and clearing a bay takes no negative time");
@@ -72,6 +76,8 @@ std::optional<Visit> BayQueue::hear(const ServiceClaim& claim, Instant now) {
                       .token = 0,
                       .starts = {},
                       .ready = {},
+                      .gives_swap = false,
+                      .gives_fill = 0.0,
                       .counted = false};
     ++changes_;
     return *visits_.insert(std::upper_bound(visits_.begin(), visits_.end(), fresh, is_before),
@@ -101,8 +107,8 @@ void BayQueue::count(Visit& visit, Instant now) {
   if (visit.bay == 0 || visit.counted || visit.ready > now) return;
   visit.counted = true;
   ++changes_;
-  if (visit.swap) ++handed_out_.swaps;
-  handed_out_.tanks[visit.agent] += visit.fill;
+  if (visit.gives_swap) ++handed_out_.swaps;
+  handed_out_.tanks[visit.agent] += visit.gives_fill;
 }
 
 void BayQueue::finish(AgentId agent, Instant now) {
@@ -140,18 +146,61 @@ std::uint32_t BayQueue::free_bay() const {
   return 0;
 }
 
+HandedOut BayQueue::promised() const {
+  HandedOut sum;
+  const auto add = [&](const Visit& visit) {
+    if (visit.counted) return;
+    sum.swaps += visit.gives_swap;
+    sum.tanks[visit.agent] += visit.gives_fill;
+  };
+  for (const Visit& visit : visits_) add(visit);
+  for (const auto& [agent, visit] : lapsed_) add(visit);
+  return sum;
+}
+
+Volume BayQueue::volume(const HandedOut& handed_out) const {
+  Volume sum;
+  for (const auto& [agent, share] : handed_out.tanks) {
+    const auto tank = tanks_.find(agent);
+    if (tank != tanks_.end()) sum += share * tank->second;
+  }
+  return sum;
+}
+
+Volume BayQueue::filled() const { return volume(handed_out_); }
+
+bool BayQueue::has_pack() const {
+  return !station_.packs || handed_out_.swaps + promised().swaps < *station_.packs;
+}
+
+/// What there is of the share of a tank wanted.
+double BayQueue::fill_for(const Visit& visit) const {
+  const auto tank = tanks_.find(visit.agent);
+  if (!station_.mix || tank == tanks_.end()) return visit.fill;
+  const Volume left = *station_.mix - filled() - volume(promised());
+  const double share = std::min(visit.fill, left / tank->second);
+  return share < worth_coupling && share < visit.fill ? 0.0 : share;
+}
+
+bool BayQueue::lacks(const Visit& visit) const {
+  const bool wants = visit.swap || visit.fill > 0.0;
+  return wants && !(visit.swap && has_pack()) && fill_for(visit) <= 0.0;
+}
+
 std::vector<Visit> BayQueue::advance(Instant now) {
   drop_expired(now);
   std::vector<Visit> served;
   for (Visit& visit : visits_) {
-    if (visit.bay != 0) continue;
+    if (visit.bay != 0 || lacks(visit)) continue;
     const std::uint32_t bay = free_bay();
     if (bay == 0) break;
+    visit.gives_swap = visit.swap && has_pack();
+    visit.gives_fill = fill_for(visit);
     visit.bay = bay;
     visit.token = ++last_token_;
     ++changes_;
     visit.starts = now;
-    visit.ready = now + duration(service_time(station_, visit.swap, visit.fill));
+    visit.ready = now + duration(service_time(station_, visit.gives_swap, visit.gives_fill));
     count(visit, now);
     served.push_back(visit);
   }

@@ -31,7 +31,9 @@ struct Visit {
   std::uint32_t bay;    ///< 0 while waiting.
   std::uint64_t token;  ///< 0 while waiting, as the next two.
   Instant starts, ready;
-  bool counted;  ///< Its service is in the totals.
+  bool gives_swap;    ///< False while waiting.
+  double gives_fill;  ///< Share of a tank; 0 while waiting.
+  bool counted;       ///< Its service is in the totals.
 };
 
 /// What the station has handed out. Each service counts once, when it is done.
@@ -45,11 +47,16 @@ struct HandedOut {
 /// visit, of a finished one or of an earlier incarnation of an agent changes nothing. A holder that
 /// is heard again after its bay was freed has it back with the same token while nobody else has it.
 ///
+/// A stock of mix or packs may come to its end. The last of it is given to who is next, though it
+/// is less than claimed; after that `lacks` tells whom the station cannot help, and they are passed
+/// over. What a holder that fell silent was being given counts as gone.
+///
 /// First come counts among the claims that have arrived: a free bay is not kept for one that may
 /// still be on its way.
 class BayQueue {
  public:
-  BayQueue(const Station& station, LeaseTerms terms);
+  /// @param tanks  Of every aircraft that may come: what a share of a tank takes from the stock.
+  BayQueue(const Station& station, LeaseTerms terms, std::map<AgentId, Volume> tanks = {});
 
   /// Takes a heartbeat of a visit; a release frees the bay at once.
   /// @return  The visit it belongs to, nothing for a claim that is over, stale or impossible.
@@ -63,11 +70,16 @@ class BayQueue {
   /// visits.
   Instant next_event() const;
 
+  /// Whether the station has nothing left of what a waiting visit wants.
+  bool lacks(const Visit& visit) const;
+
   /// Visits without a bay, in order of service.
   std::vector<Visit> waiting() const;
   /// Visits in a bay, by bay.
   std::vector<Visit> in_bay() const;
   const HandedOut& handed_out() const { return handed_out_; }
+  /// Mix handed out so far.
+  Volume filled() const;
   /// Rises with every change of the queue, the bays or what was handed out; not with renewals.
   std::uint64_t changes() const { return changes_; }
 
@@ -79,6 +91,11 @@ class BayQueue {
     std::vector<BootId> retired{};  ///< Earlier incarnations.
   };
 
+  /// What was promised to those in a bay, beyond what was handed out.
+  HandedOut promised() const;
+  Volume volume(const HandedOut& handed_out) const;
+  bool has_pack() const;
+  double fill_for(const Visit& visit) const;
   bool is_present(const ServiceClaim& claim);
   Visit* visit_of(AgentId agent);
   Visit* revive(const ServiceClaim& claim, Instant now);
@@ -91,6 +108,7 @@ class BayQueue {
 
   Station station_;
   LeaseTerms terms_;
+  std::map<AgentId, Volume> tanks_;
   std::vector<Visit> visits_;  ///< Sorted by first claim, then agent.
   std::map<AgentId, Past> past_;
   std::map<AgentId, Visit> lapsed_;  ///< Holders dropped for their silence.

@@ -13,7 +13,7 @@ Instant next_multiple(Duration period, Instant now) {
 }  // namespace
 
 SupplyNode::SupplyNode(SupplySettings settings)
-    : settings_{std::move(settings)}, queue_{settings_.station, settings_.terms} {}
+    : settings_{std::move(settings)}, queue_{settings_.station, settings_.terms, settings_.tanks} {}
 
 ServiceGrant SupplyNode::grant(const Visit& visit) const {
   return {.agent = visit.agent,
@@ -23,16 +23,22 @@ ServiceGrant SupplyNode::grant(const Visit& visit) const {
           .token = visit.token,
           .starts = visit.starts,
           .ready = visit.ready,
-          .expires = visit.expires};
+          .expires = visit.expires,
+          .swap = visit.gives_swap,
+          .fill = visit.gives_fill};
 }
 
-Volume SupplyNode::filled() const {
-  Volume sum;
-  for (const auto& [agent, share] : queue_.handed_out().tanks) {
-    const auto tank = settings_.tanks.find(agent);
-    if (tank != settings_.tanks.end()) sum += share * tank->second;
-  }
-  return sum;
+ServiceGrant SupplyNode::refusal(const Visit& visit, Instant now) const {
+  return {.agent = visit.agent,
+          .station = settings_.station.id,
+          .claim = visit.claim,
+          .bay = 0,
+          .token = 0,
+          .starts = now,
+          .ready = now,
+          .expires = visit.expires,
+          .swap = false,
+          .fill = 0.0};
 }
 
 StationState SupplyNode::state() const {
@@ -40,7 +46,7 @@ StationState SupplyNode::state() const {
                      .bays = {},
                      .queue = {},
                      .swaps = queue_.handed_out().swaps,
-                     .filled = filled()};
+                     .filled = queue_.filled()};
   for (std::uint32_t bay = 1; bay <= settings_.station.bays; ++bay) {
     state.bays.push_back({.bay = bay, .occupied = false, .agent = {}, .token = 0, .ready = {}});
   }
@@ -72,6 +78,9 @@ Outbox SupplyNode::step(const Inbox& inbox, Instant now) {
     if (visit && visit->bay != 0) holders.push_back(*visit);
   }
   const std::vector<Visit> served = queue_.advance(now);
+  for (const Visit& visit : queue_.waiting()) {
+    if (queue_.lacks(visit)) out.messages.push_back(refusal(visit, now));
+  }
   for (const Visit& visit : holders) out.messages.push_back(grant(visit));
   for (const Visit& visit : served) out.messages.push_back(grant(visit));
   report(out, now);

@@ -13,8 +13,8 @@ struct SupplySettings {
   LeaseTerms terms{.lease = std::chrono::seconds{3}};
 };
 
-/// A supply station as a node: takes claims, answers with bays, and says at whole seconds what has
-/// changed, or every five seconds that nothing has.
+/// A supply station as a node: takes claims, answers with bays, or that it has nothing left of what
+/// is claimed, and says at whole seconds what has changed, or every five seconds that nothing has.
 class SupplyNode {
  public:
   explicit SupplyNode(SupplySettings settings);
@@ -23,8 +23,8 @@ class SupplyNode {
 
  private:
   ServiceGrant grant(const Visit& visit) const;
+  ServiceGrant refusal(const Visit& visit, Instant now) const;
   StationState state() const;
-  Volume filled() const;
   void report(Outbox& out, Instant now);
 
   SupplySettings settings_;

@@ -211,6 +211,8 @@ void fields(D& d, Seen<D, ServiceGrant>& m, fleet::v1::ServiceGrant& w) {
   d(m.starts, w.starts_ns());
   d(m.ready, w.ready_ns());
   d(m.expires, w.expires_ns());
+  d(m.swap, w.swap());
+  d(m.fill, w.fill_share());
 }
 
 template <class D>

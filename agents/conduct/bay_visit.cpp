@@ -1,5 +1,7 @@
 #include "agents/conduct/bay_visit.hpp"
 
+#include <utility>
+
 namespace furrow::agents {
 
 BayVisit::BayVisit(AgentId agent, BootId boot, StationId station, std::uint64_t claim,
@@ -17,6 +19,7 @@ BayVisit::BayVisit(AgentId agent, BootId boot, StationId station, std::uint64_t 
 bool BayVisit::accept(const ServiceGrant& grant) {
   if (grant.station != claim_.station || grant.claim != claim_.claim) return false;
   if (is_released()) return true;
+  if (grant.bay == 0) return is_waiting() && !std::exchange(is_refused_, true);
   if (grant.token <= claim_.token) return false;
   grant_ = grant;
   claim_.token = grant.token;

@@ -81,7 +81,7 @@ class Hash {
     all(m.agent, m.station, m.claim, m.first_claimed, m.status, m.token, m.swap, m.fill);
   }
   void operator()(const ServiceGrant& m) {
-    all(m.agent, m.station, m.claim, m.bay, m.token, m.starts, m.ready, m.expires);
+    all(m.agent, m.station, m.claim, m.bay, m.token, m.starts, m.ready, m.expires, m.swap, m.fill);
   }
   void operator()(const StationState& m) { all(m.station, m.bays, m.queue, m.swaps, m.filled); }
   void operator()(const SchedulerState& m) {

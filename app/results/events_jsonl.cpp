@@ -114,6 +114,8 @@ struct Details {
     line["token"] = m.token;
     line["starts_s"] = at_s(m.starts);
     line["ready_s"] = at_s(m.ready);
+    line["swap"] = m.swap;
+    line["fill"] = rounded(m.fill);
   }
   void operator()(const Event& m) {
     line["kind"] = m.kind;

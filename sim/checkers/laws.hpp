@@ -12,8 +12,7 @@
 // Stations L9  never two aircraft in one bay
 //          L10 a bay is not held by the dead for longer than its lease and a grace
 //          L11 first come first served
-//          L12 each refill counted once; mix and packs do not run out here, so "stock never
-//              negative" has nothing to judge
+//          L12 each refill counted once, stock never negative
 // Clear    L22 flown tracks keep nine tenths of the safety distance from obstacles that are flown
 //              around, by the plan or once they appear, less the bias of the aircraft's fixes
 //          L23 over terrain, flown tracks are never more than 1 m below work height; and on ways

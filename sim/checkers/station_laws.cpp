@@ -1,5 +1,6 @@
 #include "sim/checkers/laws.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <map>
@@ -38,6 +39,7 @@ class StationLaws final : public Checker {
     std::map<AgentId, Claim> claims;          // the newest of each agent
     std::map<std::uint32_t, Holder> holders;  // the last of each bay
     std::set<std::uint64_t> tokens;
+    std::set<std::pair<AgentId, std::uint64_t>> refused;  // visits that it cannot help
     std::uint32_t swaps = 0;
     double filled_l = 0.0;
     StationState last{};
@@ -59,6 +61,10 @@ class StationLaws final : public Checker {
 
   void observe_grant(const ServiceGrant& grant, Instant at) {
     Books& books = books_[grant.station];
+    if (grant.bay == 0) {
+      books.refused.insert({grant.agent, grant.claim});
+      return;
+    }
     if (!books.tokens.insert(grant.token).second) {  // the same again
       return;
     }
@@ -72,10 +78,26 @@ class StationLaws final : public Checker {
     const auto claim = books.claims.find(grant.agent);
     if (claim != books.claims.end()) {
       const auto tank = tanks_.find(grant.agent);
-      books.swaps += claim->second.last.swap;
-      if (tank != tanks_.end()) books.filled_l += claim->second.last.fill * tank->second.base();
+      const ServiceClaim& wanted = claim->second.last;
+      books.swaps += wanted.swap && grant.swap;
+      if (tank != tanks_.end()) {
+        books.filled_l += std::min(wanted.fill, grant.fill) * tank->second.base();
+      }
+      check_stock(books, grant.station, at);
     }
     books.holders[grant.bay] = {grant, std::nullopt};
+  }
+
+  void check_stock(const Books& books, StationId id, Instant at) {
+    for (const Station& station : facts_.stations) {
+      if (station.id != id) continue;
+      const bool is_short = (station.packs && books.swaps > *station.packs) ||
+                            (station.mix && books.filled_l > station.mix->base() + 1e-6);
+      if (!is_short) continue;
+      report("L12", at,
+             fmt::format("station {} gave {} packs and {:.2f} l, more than it had", number(id),
+                         books.swaps, books.filled_l));
+    }
   }
 
   void check_bay(const Books& books, const ServiceGrant& grant, Instant at) {
@@ -104,6 +126,7 @@ class StationLaws final : public Checker {
       const bool is_waiting = claim.last.status == ClaimStatus::waiting &&
                               claim.first_heard + grace <= at &&
                               claim.last_heard + facts_.claim_lease > at;
+      if (books.refused.contains({agent, claim.last.claim})) continue;
       const bool is_earlier = std::pair{claim.last.first_claimed, agent} <
                               std::pair{own->second.last.first_claimed, grant.agent};
       if (is_waiting && is_earlier) {

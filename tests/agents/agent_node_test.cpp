@@ -140,6 +140,32 @@ TEST_CASE("agent: a tank too small brings it home, never below zero, and adds up
   CHECK(filled - sprayed_m / 240.0 == Approx(states.back().tank).margin(1e-4));
 }
 
+TEST_CASE("agent: flies with the last of the mix, and gives up its work when that is sprayed",
+          "[agents]") {
+  Vehicle v = sprayer();
+  v.spray_endurance = seconds(80);  // 240 m of 600
+  ScriptedScheduler scheduler{.sorties = {{strips(3, 100), StationId{1}}}};
+  const auto log = fly(settings_of(v), scheduler, an_hour, radio, {.tanks_left = 0.5});
+
+  // One tank and a half are 360 m: 180 cells of 300, less those that it stops before being empty.
+  const auto sprayed = passes(log);
+  CHECK(each_once(log, static_cast<std::uint32_t>(sprayed.size())));
+  CHECK(sprayed.size() <= 180);
+  CHECK(sprayed.size() >= 165);
+  CHECK(all<SortieReport>(log).size() == 2);
+  CHECK(all<AgentState>(log).back().phase == Phase::offline);
+  const auto last = all<CommandAck>(log).back();
+  CHECK(last.status == AckStatus::failed);
+  CHECK(last.reason == "station 1 has no mix for it");
+  std::uint32_t reported = 0;
+  for (const auto& report : all<WorkReport>(log)) {
+    for (const Closure& c : report.closures) {
+      reported = std::max(reported, c.cells.first + c.sprayed);
+    }
+  }
+  CHECK(reported == sprayed.size());  // nothing is lost of it
+}
+
 TEST_CASE("agent: flies the same track at whatever instants it is stepped", "[agents]") {
   const auto settings = settings_of(
       sprayer(), {.mean = metres_per_second(6), .from_deg = 270, .gust = metres_per_second(1.5)});

@@ -153,8 +153,9 @@ struct ScriptedScheduler {
   }
 };
 
-/// One bay, always free: serves each claim once.
+/// One bay, always free: serves each claim once, out of what it has.
 struct ScriptedStation {
+  double tanks_left = 1e9;
   std::uint64_t last_claim = 0;
   Outbox step(const Inbox& inbox, Instant now) {
     Outbox out;
@@ -162,15 +163,20 @@ struct ScriptedStation {
       const auto* claim = std::get_if<ServiceClaim>(&e.body);
       if (!claim || claim->status != ClaimStatus::waiting || claim->claim <= last_claim) continue;
       last_claim = claim->claim;
-      const Instant ready = now + duration(service_time(depot(), claim->swap, claim->fill));
+      const double fill = std::min(claim->fill, tanks_left);
+      const bool gives = claim->swap || fill > 0.0;
+      tanks_left -= fill;
+      const Instant ready = now + duration(service_time(depot(), claim->swap, fill));
       out.messages.push_back(ServiceGrant{.agent = claim->agent,
                                           .station = claim->station,
                                           .claim = claim->claim,
-                                          .bay = 1,
-                                          .token = claim->claim,
+                                          .bay = gives ? 1u : 0u,
+                                          .token = gives ? claim->claim : 0u,
                                           .starts = now,
                                           .ready = ready,
-                                          .expires = ready + 10 * second});
+                                          .expires = ready + 10 * second,
+                                          .swap = claim->swap,
+                                          .fill = fill});
     }
     return out;
   }
@@ -181,10 +187,10 @@ inline constexpr Link radio{
 
 /// Everything said in a run of one aircraft until `limit` or the end.
 inline std::vector<Envelope> fly(const AgentSettings& settings, ScriptedScheduler scheduler,
-                                 Instant limit, Link link = radio) {
+                                 Instant limit, Link link = radio, ScriptedStation station = {}) {
   NodeHost host{link, 3};
   host.add(scheduler_node(), AnyNode{std::move(scheduler)}, Instant{});
-  host.add(node(StationId{1}), AnyNode{ScriptedStation{}}, Instant{});
+  host.add(node(StationId{1}), AnyNode{station}, Instant{});
   host.add(node(agent_7), AnyNode{AgentNode{settings}}, Instant{});
   std::vector<Envelope> log;
   while (host.next_event() < limit) {

@@ -202,6 +202,24 @@ class Deaths(Furrow):
         self.assertEqual((self.out("sim") / "events.jsonl").read_bytes(), events)
         self.assertIn(b"obstacle_planned", events)
 
+    def test_what_an_empty_station_leaves_is_done_from_another_by_sim_and_run_alike(self):
+        for command in ("sim", "run"):
+            done = furrow(command, ROOT / "scenarios/empty_stock.yaml", "--out", self.out(command))
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertIn("station 1 has no mix for it", done.stderr)
+        self.assertEqual(without_timing(self.out("sim")), without_timing(self.out("run")))
+        stations = json.loads((self.out("run") / "result.json").read_text())["stations"]
+        self.assertGreater(stations[0]["filled_l"], 24.5)
+        self.assertLessEqual(stations[0]["filled_l"], 25)
+
+    def test_a_mission_that_lacks_mix_ends_and_says_so(self):
+        short = self.scenario(GARDEN.read_text().replace("bays: 1", "bays: 1, mix_l: 5"))
+        done = furrow("sim", short, "--quiet", "--out", self.out("sim"))
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn("the mission is not completed", done.stderr)
+        self.assertIn("station 1 has no mix for it", done.stderr)
+        self.assertNotIn("law ", done.stderr)
+
     def test_a_killed_agent_process_leaves_dry_what_it_held_and_results(self):
         process = self.started("run", self.garden, "--speed", 60, "--out", self.out("run"))
         agents = lambda: [pid for pid, line in processes_in(self.garden).items()

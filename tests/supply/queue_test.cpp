@@ -213,5 +213,55 @@ TEST_CASE("queue: claims for another station or out of range are refused", "[sup
   CHECK(queue.advance(at_s(0)).empty());
 }
 
+TEST_CASE("queue: the last of the mix goes to who is next, and after that it is lacking",
+          "[supply]") {
+  Station short_of_mix = station(1);
+  short_of_mix.mix = litres(8.0);
+  std::map<AgentId, Volume> tanks;
+  for (std::uint32_t i = 1; i <= 3; ++i) tanks[AgentId{i}] = litres(10.0);
+  BayQueue queue{short_of_mix, terms, tanks};
+  for (const auto& c : {claim(1, 0), claim(2, 1), claim(3, 2)}) queue.hear(c, at_s(2));
+
+  const auto first = queue.advance(at_s(2));
+  REQUIRE(first.size() == 1);
+  CHECK(first[0].gives_fill == 0.5);
+  CHECK(queue.filled() == litres(0.0));  // not before it is done
+  CHECK_FALSE(queue.lacks(queue.waiting()[0]));
+  queue.hear(with(claim(1, 0), ClaimStatus::in_bay, 1), at_s(42));
+  for (const auto& c : {claim(2, 1), claim(3, 2)}) queue.hear(c, at_s(42));
+  queue.hear(with(claim(1, 0), ClaimStatus::released, 1), at_s(42));
+
+  // 5 l of 8 are gone: 3 l are 0.3 of a tank, 20 + 0.3 * (60 - 20) = 32 s.
+  const auto second = queue.advance(at_s(42));
+  REQUIRE(second.size() == 1);
+  CHECK(second[0].agent == AgentId{2});
+  CHECK(second[0].gives_fill == Approx(0.3));
+  CHECK(second[0].ready == at_s(74));
+  REQUIRE(queue.waiting().size() == 1);
+  CHECK(queue.lacks(queue.waiting()[0]));
+
+  // Who leaves before it is filled leaves the mix to the others.
+  queue.hear(with(claim(2, 1), ClaimStatus::released, 2), at_s(43));
+  CHECK_FALSE(queue.lacks(queue.waiting()[0]));
+}
+
+TEST_CASE("queue: without packs those who want mix as well are given mix, the others nothing",
+          "[supply]") {
+  Station no_packs = station(1);
+  no_packs.packs = 0;
+  BayQueue queue{no_packs, terms};
+  ServiceClaim both = claim(1, 1), pack_alone = claim(2, 0);
+  both.swap = pack_alone.swap = true;
+  pack_alone.fill = 0.0;
+  queue.hear(pack_alone, at_s(1));
+  queue.hear(both, at_s(1));
+  const auto served = queue.advance(at_s(1));
+  REQUIRE(served.size() == 1);
+  CHECK(served[0].agent == AgentId{1});
+  CHECK_FALSE(served[0].gives_swap);
+  CHECK(served[0].gives_fill == 0.5);
+  CHECK(queue.lacks(queue.waiting()[0]));
+}
+
 }  // namespace
 }  // namespace furrow::supply

@@ -130,5 +130,34 @@ TEST_CASE("supply_node: says its state at whole seconds, when it changed or ever
   CHECK(r.states.size() < 3600 / 5 + 15);
 }
 
+TEST_CASE("supply_node: who claims what there is no more of is told so", "[supply]") {
+  SupplySettings empty = settings(1);
+  empty.station.mix = litres(0.0);
+  empty.station.packs = 0;
+  SupplyNode station{empty};
+  station.step({}, at_s(0));
+  const Envelope claim{.from = node(AgentId{4}),
+                       .seq = 1,
+                       .sent = at_s(1),
+                       .body = ServiceClaim{.agent = AgentId{4},
+                                            .boot = BootId{1},
+                                            .station = StationId{1},
+                                            .claim = 7,
+                                            .first_claimed = at_s(1),
+                                            .status = ClaimStatus::waiting,
+                                            .token = 0,
+                                            .swap = true,
+                                            .fill = 1.0}};
+  const Outbox out = station.step({claim}, at_s(1));
+  const auto* refusal = std::get_if<ServiceGrant>(&out.messages.at(0));
+  REQUIRE(refusal != nullptr);
+  CHECK(refusal->agent == AgentId{4});
+  CHECK(refusal->claim == 7);
+  CHECK(refusal->bay == 0);
+  CHECK(refusal->token == 0);
+  CHECK_FALSE(refusal->swap);
+  CHECK(refusal->fill == 0.0);
+}
+
 }  // namespace
 }  // namespace furrow::supply

@@ -56,6 +56,25 @@ TEST_CASE("laws: L10 a bay held by the dead, L12 a refill counted twice", "[sim]
     s.say(scheduler_node(), 20, finished(4, 0));
     CHECK(broken_laws(facts(), s) == Laws{"L10"});
   }
+  SECTION("its mix and packs just suffice") {
+    Facts sufficient = facts();
+    sufficient.stations[0].mix = litres(5);
+    sufficient.stations[0].packs = 1;
+    s.say(scheduler_node(), 20, finished(4, 0));
+    CHECK(broken_laws(sufficient, s) == Laws{});
+  }
+  SECTION("it gave more mix than it had") {
+    Facts empty = facts();
+    empty.stations[0].mix = litres(4.9);
+    s.say(scheduler_node(), 20, finished(4, 0));
+    CHECK(broken_laws(empty, s) == Laws{"L12"});
+  }
+  SECTION("it gave more packs than it had") {
+    Facts empty = facts();
+    empty.stations[0].packs = 0;
+    s.say(scheduler_node(), 20, finished(4, 0));
+    CHECK(broken_laws(empty, s) == Laws{"L12"});
+  }
   SECTION("half a tank of 10 l was granted once") {
     state.filled = litres(10);
     s.say(node(StationId{1}), 11, state);
