@@ -325,7 +325,7 @@ void AgentNode::relicense() {
     return;
   if (route_->pieces.empty()) {  // hovers without a way: a new order came
     const auto rest = order_->rest_of_sortie();
-    home_ = station(order_->station());
+    home_ = haven();
     follow(sortie_route(aircraft_.estimate_m(), rest, xy_m(home_.position), vehicle_,
                         settings_.ferries, around_));
   }

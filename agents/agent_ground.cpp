@@ -4,6 +4,7 @@
 #include "core/require.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace furrow::agents {
@@ -17,6 +18,7 @@ constexpr double nothing_to_fill = 1e-9;
 // What a tank that cannot be filled must still hold for one more sortie.
 constexpr double least_tank = 0.05, least_cells = 4.0;
 constexpr double hair_m = 1e-3;
+constexpr double no_stop = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -118,13 +120,14 @@ void AgentNode::prepare(Instant t) {
   const Demand wanted = demand();
   is_prepared_ = !wanted.swap && wanted.fill <= nothing_to_fill;
   if (is_prepared_) return report_sortie();
+  if (closed_.contains(home_.id) && go_elsewhere(t)) return;
   visit_.emplace(vehicle_.id, settings_.boot, home_.id, ++claims_, t, wanted.swap, wanted.fill);
   send(visit_->claim());
 }
 
 AgentNode::Demand AgentNode::demand() const {
   const auto rest = order_->rest_of_sortie();
-  const Xy next_home = xy_m(station(order_->station()).position);
+  const Xy next_home = xy_m(haven().position);
   const auto route =
       sortie_route(aircraft_.estimate_m(), rest, next_home, vehicle_, settings_.ferries, around_);
 
@@ -169,15 +172,54 @@ void AgentNode::leave_bay() {
   if (order_->is_finished()) finish(ready_);
 }
 
-// The station cannot help it: it flies with what it has, as far as that goes.
+// The station cannot help it: it goes to another, or flies with what it has, as far as that goes.
 void AgentNode::go_without(Instant t) {
   ready_ = std::max(ready_, t);
   note_lack(false, 0.0);
+  closed_.insert(home_.id);
   visit_->release();
   send(visit_->claim());
   report_sortie();
   is_prepared_ = true;
-  if (order_->is_finished()) finish(ready_);
+  if (order_->is_finished()) return finish(ready_);
+  go_elsewhere(ready_);
+}
+
+// Flies to the nearest station that has not refused it. @return Whether there is one within reach.
+bool AgentNode::go_elsewhere(Instant t) {
+  const FieldPoint here = field_point(aircraft_.estimate_m());
+  const Station* other = nearest_open(here);
+  if (other == nullptr) return false;
+  const double there_s =
+      straight_way_s(ferry_pack_m(here, other->position, vehicle_, settings_.ferries), vehicle_);
+  if (there_s + forecast_slack_s > aircraft_.stores.flight_left_s(vehicle_)) return false;
+  report_sortie();
+  home_ = *other;
+  note("goes_elsewhere", "goes to station " + std::to_string(number(other->id)));
+  take_off(sortie_route(aircraft_.estimate_m(), {}, xy_m(home_.position), vehicle_,
+                        settings_.ferries, around_),
+           t);
+  return true;
+}
+
+const Station* AgentNode::nearest_open(FieldPoint from) const {
+  const Station* nearest = nullptr;
+  for (const Station& s : settings_.stations) {
+    if (closed_.contains(s.id)) continue;
+    const bool is_nearer =
+        nearest == nullptr || distance(from, s.position) < distance(from, nearest->position);
+    if (is_nearer) nearest = &s;
+  }
+  return nearest;
+}
+
+// Where the sortie ends: where the order says, or at the nearest station that has not refused it,
+// or where it is.
+const Station& AgentNode::haven() const {
+  const Station& ordered = station(order_->station());
+  if (!closed_.contains(ordered.id)) return ordered;
+  const Station* open = nearest_open(ordered.position);
+  return open == nullptr ? home_ : *open;
 }
 
 // Keeps in words what it was given less of than it claimed.
@@ -198,7 +240,7 @@ bool AgentNode::is_licensed() const {
 
 void AgentNode::try_take_off(Instant t) {
   const auto rest = order_->rest_of_sortie();
-  home_ = station(order_->station());
+  home_ = haven();
   const FieldPoint here = field_point(aircraft_.estimate_m()), entry = rest.front().entry;
   const double there_and_back_s =
       straight_way_s(ferry_pack_m(here, entry, vehicle_, settings_.ferries), vehicle_) +
@@ -235,9 +277,12 @@ void AgentNode::take_off(SortieRoute route, Instant t) {
   sortie_ = {};
   sortie_.agent = vehicle_.id;
   sortie_.sortie = sorties_flown_++;
-  sortie_.resumed_at = route.pieces.front().piece.entry;
+  const bool works = !route.pieces.empty();  // else it only changes its station
+  sortie_.resumed_at =
+      works ? route.pieces.front().piece.entry : field_point(aircraft_.estimate_m());
+  sortie_.returned_at = sortie_.resumed_at;
   sortie_.pack = pack_;
-  sortie_.began = last_tick_;
+  sortie_.began = sortie_.spray_ended = last_tick_;
   has_unreported_sortie_ = true;
 
   flown_m_ = climb_s_ = 0.0;
@@ -245,7 +290,8 @@ void AgentNode::take_off(SortieRoute route, Instant t) {
   aircraft_.take_off();
   aircraft_.start_at(route.heights.altitude_m(0.0));
   follow(std::move(route));
-  phase_ = Phase::fly_out;
+  phase_ = works ? Phase::fly_out : Phase::fly_back;
+  if (!works) stop_m_ = before_blockage_m(no_stop);
   log_.point(last_tick_, aircraft_.truth_m(), aircraft_.altitude_m(), false);
   if (!is_running_) acknowledge(AckStatus::running);
   is_running_ = true;

@@ -11,6 +11,7 @@
 #include "core/node.hpp"
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -97,6 +98,9 @@ class AgentNode {
   Demand demand() const;
   void leave_bay();
   void go_without(Instant t);
+  bool go_elsewhere(Instant t);
+  const Station* nearest_open(FieldPoint from) const;
+  const Station& haven() const;
   void note_lack(bool swap, double fill);
   bool lacks_mix(const SortieRoute& route) const;
   void give_up(CloseReason reason, std::string why, Instant t);
@@ -159,7 +163,8 @@ class AgentNode {
   Instant ready_{};          // since when nothing but what came last kept it on the ground
   std::optional<BayVisit> visit_;
   std::uint64_t claims_ = 0;
-  std::string lack_;  // what its station has come to the end of, as words
+  std::set<StationId> closed_;  // stations that refused it
+  std::string lack_;            // what its station has come to the end of, as words
 
   // Timers.
   bool is_known_ = false;  // has introduced itself

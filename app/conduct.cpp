@@ -68,6 +68,9 @@ std::vector<std::string> losses(const std::vector<Envelope>& log) {
     if (event->kind == "agent_lost") {
       all.push_back(fmt::format("lost at {:.1f} s: {}", at_s, event->detail));
     }
+    if (event->kind == "bay_down" || event->kind == "not_served") {
+      all.push_back(fmt::format("at {:.1f} s: {}", at_s, event->detail));
+    }
     if (event->kind == "cells_uncertain") {
       all.push_back(fmt::format("uncertain since {:.1f} s: {}", at_s, event->detail));
     }

@@ -95,7 +95,7 @@ void check_reach(const Draft& draft) {
 }
 
 void check_joins(const Draft& draft) {
-  std::set<AgentId> joining;
+  std::set<NodeId> joining;
   for (std::size_t i = 0; i < draft.faults.size(); ++i) {
     const Fault& fault = draft.scenario.faults[i];
     if (fault.kind != Fault::Kind::agent_join) continue;
@@ -107,11 +107,28 @@ void check_joins(const Draft& draft) {
   }
 }
 
-void check_faults(const Draft& draft) {
+void check_agent_faults(const Draft& draft) {
   const auto uavs = draft.scenario.uavs.size();
   for (std::size_t i = 0; i < draft.faults.size(); ++i) {
-    if (number(draft.scenario.faults[i].target) <= uavs) continue;
+    const Fault& fault = draft.scenario.faults[i];
+    if (fault.target.kind != NodeKind::agent || fault.target.number <= uavs) continue;
     draft.faults[i].fail("target", fmt::format("must be the id of a UAV, 1 to {}", uavs));
+  }
+}
+
+void check_station_faults(const Draft& draft) {
+  const std::vector<Station>& stations = draft.scenario.stations;
+  for (std::size_t i = 0; i < draft.faults.size(); ++i) {
+    const Fault& fault = draft.scenario.faults[i];
+    if (fault.target.kind == NodeKind::agent) continue;
+    const auto station = std::find_if(stations.begin(), stations.end(),
+                                      [&](const Station& s) { return node(s.id) == fault.target; });
+    if (station == stations.end()) {
+      draft.faults[i].fail("target", "must be the id of a station");
+    } else if (fault.bay > station->bays) {
+      draft.faults[i].fail("bay",
+                           fmt::format("must be a bay of the station, 1 to {}", station->bays));
+    }
   }
 }
 
@@ -163,7 +180,8 @@ void check_together(const Section& root, const Draft& draft) {
   if (field && fleet) check_cells(draft);
   if (field && fleet && draft.supply_in_order) check_reach(draft);
   if (field && fleet && draft.supply_in_order) check_surprises(draft);
-  if (fleet && draft.faults_in_order) check_faults(draft);
+  if (fleet && draft.faults_in_order) check_agent_faults(draft);
+  if (draft.supply_in_order && draft.faults_in_order) check_station_faults(draft);
   if (fleet && draft.faults_in_order) check_joins(draft);
 }
 

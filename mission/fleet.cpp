@@ -99,7 +99,7 @@ BootId first_boot(const Scenario& scenario, NodeId node) {
 
 Instant birth(const Scenario& scenario, NodeId node) {
   for (const Fault& fault : scenario.faults) {
-    const bool joins = fault.kind == Fault::Kind::agent_join && furrow::node(fault.target) == node;
+    const bool joins = fault.kind == Fault::Kind::agent_join && fault.target == node;
     if (joins) return fault.at;
   }
   return Instant{};
@@ -108,7 +108,7 @@ Instant birth(const Scenario& scenario, NodeId node) {
 Instant death(const Scenario& scenario, NodeId node) {
   Instant earliest = never;
   for (const Fault& fault : scenario.faults) {
-    const bool kills = fault.kind == Fault::Kind::agent_kill && furrow::node(fault.target) == node;
+    const bool kills = fault.kind == Fault::Kind::agent_kill && fault.target == node;
     if (kills) earliest = std::min(earliest, fault.at);
   }
   return earliest;
@@ -122,11 +122,20 @@ AnyNode scheduler_node(const Scenario& scenario, const scheduler::FleetPlan& pla
 }
 
 AnyNode supply_node(const Scenario& scenario, StationId station) {
+  const Station& site = with_id(scenario.stations, station);
+  std::vector<supply::Shutting> shuttings;
+  for (const Fault& fault : scenario.faults) {
+    if (fault.kind != Fault::Kind::bay_down || fault.target != node(station)) continue;
+    for (std::uint32_t bay = 1; bay <= site.bays; ++bay) {
+      if (fault.bay == 0 || fault.bay == bay) shuttings.push_back({fault.at, bay});
+    }
+  }
   std::map<AgentId, Volume> tanks;
   for (const Vehicle& uav : scenario.uavs) tanks[uav.id] = uav.tank;
-  return AnyNode{supply::SupplyNode{{.station = with_id(scenario.stations, station),
+  return AnyNode{supply::SupplyNode{{.station = site,
                                      .tanks = std::move(tanks),
-                                     .terms = {.lease = scenario.agent_lease}}}};
+                                     .terms = {.lease = scenario.agent_lease},
+                                     .shuttings = std::move(shuttings)}}};
 }
 
 AnyNode agent_node(const Scenario& scenario, const planner::FerryMap& ferries, AgentId agent,

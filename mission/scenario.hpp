@@ -25,10 +25,12 @@ struct Fault {
   enum class Kind {
     agent_kill,  ///< It falls silent for good.
     agent_join,  ///< It is not there before.
+    bay_down,    ///< Takes nobody more; who is in it is served to the end.
   };
   Instant at;
   Kind kind;
-  AgentId target;
+  NodeId target;          ///< An agent, or the station of the bay.
+  std::uint32_t bay = 0;  ///< 0: all of the station.
 };
 
 /// A figure of the result and where it must lie.

@@ -350,9 +350,20 @@ void read_faults(const Section& root, Draft& draft) {
   std::vector<std::pair<Fault, Section>> found;
   for (const auto& s : root.list("faults", 0, most_entries)) {
     const auto at = s.number("at_s", from_to(0, 10'000'000));
-    const auto kind = static_cast<Fault::Kind>(s.choice("kind", {"agent_kill", "agent_join"}));
-    const auto target = static_cast<AgentId>(s.whole("target", 1, most_uavs));
-    found.emplace_back(Fault{.at = instant(seconds(at)), .kind = kind, .target = target}, s);
+    const auto kind =
+        static_cast<Fault::Kind>(s.choice("kind", {"agent_kill", "agent_join", "bay_down"}));
+    const bool is_of_station = kind == Fault::Kind::bay_down;
+    const auto target = s.whole("target", 1, is_of_station ? most_id : most_uavs);
+    Fault fault{.at = instant(seconds(at)),
+                .kind = kind,
+                .target = is_of_station ? node(static_cast<StationId>(target))
+                                        : node(static_cast<AgentId>(target))};
+    if (is_of_station) {
+      fault.bay = static_cast<std::uint32_t>(s.optional_whole("bay", 1, 100, "all").value_or(0));
+    } else {
+      s.refuse("bay", "must be left out where the kind is not bay_down");
+    }
+    found.emplace_back(fault, s);
   }
   std::stable_sort(found.begin(), found.end(),
                    [](const auto& a, const auto& b) { return a.first.at < b.first.at; });

@@ -141,7 +141,7 @@ bool BayQueue::is_free(std::uint32_t bay) const {
 /// The lowest free bay, 0 when all are taken.
 std::uint32_t BayQueue::free_bay() const {
   for (std::uint32_t bay = 1; bay <= station_.bays; ++bay) {
-    if (is_free(bay)) return bay;
+    if (is_free(bay) && !shut_.contains(bay)) return bay;
   }
   return 0;
 }
@@ -178,11 +178,21 @@ double BayQueue::fill_for(const Visit& visit) const {
   const auto tank = tanks_.find(visit.agent);
   if (!station_.mix || tank == tanks_.end()) return visit.fill;
   const Volume left = *station_.mix - filled() - volume(promised());
-  const double share = std::min(visit.fill, left / tank->second);
+  const double there = left / tank->second, share = std::min(visit.fill, there);
   return share < worth_coupling && share < visit.fill ? 0.0 : share;
 }
 
+void BayQueue::shut(std::uint32_t bay) {
+  require(bay >= 1 && bay <= station_.bays, "a station shuts bays of its own");
+  shut_.insert(bay);
+}
+
+std::uint32_t BayQueue::open_bays() const {
+  return station_.bays - static_cast<std::uint32_t>(shut_.size());
+}
+
 bool BayQueue::lacks(const Visit& visit) const {
+  if (open_bays() == 0) return true;
   const bool wants = visit.swap || visit.fill > 0.0;
   return wants && !(visit.swap && has_pack()) && fill_for(visit) <= 0.0;
 }

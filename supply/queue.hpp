@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <vector>
 
 namespace furrow::supply {
@@ -70,7 +71,12 @@ class BayQueue {
   /// visits.
   Instant next_event() const;
 
-  /// Whether the station has nothing left of what a waiting visit wants.
+  /// Gives this bay to nobody more; its holder keeps it. @pre 1 <= bay <= bays
+  void shut(std::uint32_t bay);
+  /// Bays that are not shut.
+  std::uint32_t open_bays() const;
+
+  /// Whether the station has nothing left of what a waiting visit wants, or no bay for it.
   bool lacks(const Visit& visit) const;
 
   /// Visits without a bay, in order of service.
@@ -109,6 +115,7 @@ class BayQueue {
   Station station_;
   LeaseTerms terms_;
   std::map<AgentId, Volume> tanks_;
+  std::set<std::uint32_t> shut_;
   std::vector<Visit> visits_;  ///< Sorted by first claim, then agent.
   std::map<AgentId, Past> past_;
   std::map<AgentId, Visit> lapsed_;  ///< Holders dropped for their silence.

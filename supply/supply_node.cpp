@@ -1,6 +1,7 @@
 #include "supply/supply_node.hpp"
 
 #include <algorithm>
+#include <string>
 
 namespace furrow::supply {
 namespace {
@@ -68,8 +69,20 @@ void SupplyNode::report(Outbox& out, Instant now) {
     state_due_ = std::min(state_due_, next_multiple(std::chrono::seconds{1}, now));
 }
 
+void SupplyNode::shut_bays(Outbox& out, Instant now) {
+  for (; shut_ < settings_.shuttings.size() && settings_.shuttings[shut_].at <= now; ++shut_) {
+    const std::uint32_t bay = settings_.shuttings[shut_].bay;
+    queue_.shut(bay);
+    out.messages.push_back(
+        Event{"bay_down", text(node(settings_.station.id)) + " shuts bay " + std::to_string(bay) +
+                              ", " + std::to_string(queue_.open_bays()) + " of " +
+                              std::to_string(settings_.station.bays) + " are left"});
+  }
+}
+
 Outbox SupplyNode::step(const Inbox& inbox, Instant now) {
   Outbox out;
+  shut_bays(out, now);
   std::vector<Visit> holders;
   for (const Envelope& envelope : inbox) {
     const auto* claim = std::get_if<ServiceClaim>(&envelope.body);
@@ -85,6 +98,9 @@ Outbox SupplyNode::step(const Inbox& inbox, Instant now) {
   for (const Visit& visit : served) out.messages.push_back(grant(visit));
   report(out, now);
   out.wake = std::min(state_due_, queue_.next_event());
+  if (shut_ < settings_.shuttings.size()) {
+    out.wake = std::min(out.wake, settings_.shuttings[shut_].at);
+  }
   return out;
 }
 

@@ -22,6 +22,7 @@ const char* name(mission::Fault::Kind kind) {
   switch (kind) {
     case mission::Fault::Kind::agent_kill: return "agent_kill";
     case mission::Fault::Kind::agent_join: return "agent_join";
+    case mission::Fault::Kind::bay_down: return "bay_down";
   }
   return "unknown";
 }
@@ -273,15 +274,25 @@ std::vector<StationFigures> station_figures(const MissionRecord& record, const F
   return stations;
 }
 
-// When the scheduler said that it took the aircraft in.
-std::optional<double> joined_s(const std::vector<Envelope>& log, AgentId agent) {
-  const std::string who = text(node(agent)) + " ";
+// When an event of this kind first told of the node.
+std::optional<double> told_s(const std::vector<Envelope>& log, std::string_view kind, NodeId of) {
+  const std::string who = text(of) + " ";
   for (const Envelope& e : log) {
     const auto* event = std::get_if<Event>(&e.body);
-    if (event == nullptr || event->kind != "agent_joined") continue;
+    if (event == nullptr || event->kind != kind) continue;
     if (event->detail.starts_with(who)) return seconds(e.sent).base();
   }
   return std::nullopt;
+}
+
+std::optional<double> noticed_s(const mission::Fault& fault, const MissionRecord& record,
+                                const Flown& flown) {
+  using Kind = mission::Fault::Kind;
+  if (fault.kind == Kind::agent_join) return told_s(record.log, "agent_joined", fault.target);
+  if (fault.kind == Kind::bay_down) return told_s(record.log, "bay_down", fault.target);
+  const auto lost = flown.lost.find(AgentId{fault.target.number});
+  if (lost == flown.lost.end()) return std::nullopt;
+  return seconds(lost->second).base();
 }
 
 std::vector<FaultFigures> fault_figures(const MissionRecord& record, const Flown& flown) {
@@ -289,13 +300,8 @@ std::vector<FaultFigures> fault_figures(const MissionRecord& record, const Flown
   for (const mission::Fault& fault : record.scenario.faults) {
     FaultFigures f{.at_s = seconds(fault.at).base(),
                    .kind = name(fault.kind),
-                   .target = number(fault.target),
-                   .noticed_s = {}};
-    if (fault.kind == mission::Fault::Kind::agent_join) {
-      f.noticed_s = joined_s(record.log, fault.target);
-    } else if (const auto lost = flown.lost.find(fault.target); lost != flown.lost.end()) {
-      f.noticed_s = seconds(lost->second).base();
-    }
+                   .target = fault.target.number,
+                   .noticed_s = noticed_s(fault, record, flown)};
     faults.push_back(std::move(f));
   }
   return faults;

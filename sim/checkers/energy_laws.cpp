@@ -46,6 +46,7 @@ class EnergyLaws final : public Checker {
     if (const auto* sortie = std::get_if<SortieReport>(&e.body)) observe_sortie(*sortie, e.sent);
     if (const auto* flown = std::get_if<FlightRecord>(&e.body)) observe_flight(*flown);
     if (const auto* grant = std::get_if<WorkGrant>(&e.body)) observe_grant(*grant);
+    if (const auto* claim = std::get_if<ServiceClaim>(&e.body)) observe_claim(*claim);
   }
 
   void conclude(Instant ended) override {
@@ -72,6 +73,7 @@ class EnergyLaws final : public Checker {
     std::uint32_t sorties = 0;        // reported
     std::set<std::uint32_t> unflown;  // cells granted, of which no flight is recorded
     std::optional<TakeOff> take_off;
+    std::optional<FieldPoint> home;  // the last station it came to, if not the planned one
   };
 
   // Mix in = mix sprayed + mix left. Of a sortie not reported yet only its cells are known: with
@@ -118,7 +120,8 @@ class EnergyLaws final : public Checker {
       report("L8", at, fmt::format("{} has a tank of {:.6f}", text(node(state.agent)), state.tank));
     }
     if (!is_airborne(state.phase) || state.phase == Phase::fly_back) return;
-    const double home_s = way_s(uav.vehicle, facts_.wind, state.position, uav.station.position);
+    const double home_s = way_s(uav.vehicle, facts_.wind, state.position,
+                                account.home.value_or(uav.station.position));
     const double need = home_s / uav.vehicle.flight_endurance.base();
     if (state.battery + fix_error(uav.vehicle) + round_off < need + reserve) {
       report("L7", at,
@@ -156,8 +159,8 @@ class EnergyLaws final : public Checker {
     if (at < sortie.began || at > sortie.landed) return;
     const Vehicle& v = planned->second->vehicle;
     const double out_s = way_s(v, facts_.wind, position, sortie.resumed_at);
-    const double home_s =
-        way_s(v, facts_.wind, sortie.resumed_at, planned->second->station.position);
+    const double home_s = way_s(v, facts_.wind, sortie.resumed_at,
+                                account.home.value_or(planned->second->station.position));
     const double need = (out_s + home_s) / v.flight_endurance.base() + v.battery_reserve;
     if (battery + fix_error(v) + round_off >= need) return;
     report("L7", at,
@@ -174,6 +177,13 @@ class EnergyLaws final : public Checker {
       if (cell >= cell_m_.size()) return;
       account.unreported_m += cell_m_[cell];
       account.unflown.erase(cell);
+    }
+  }
+
+  // One that its station refused goes to another and stays there.
+  void observe_claim(const ServiceClaim& claim) {
+    for (const Station& station : facts_.stations) {
+      if (station.id == claim.station) accounts_[claim.agent].home = station.position;
     }
   }
 

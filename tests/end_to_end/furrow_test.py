@@ -212,6 +212,25 @@ class Deaths(Furrow):
         self.assertGreater(stations[0]["filled_l"], 24.5)
         self.assertLessEqual(stations[0]["filled_l"], 25)
 
+    def test_aircraft_of_a_station_that_fails_go_to_another_by_sim_and_run_alike(self):
+        for command in ("sim", "run"):
+            done = furrow(command, ROOT / "scenarios/station_down.yaml", "--out", self.out(command))
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertIn("at 600.0 s: station 1 shuts bay 1, 0 of 1 are left", done.stderr)
+        self.assertEqual(without_timing(self.out("sim")), without_timing(self.out("run")))
+        result = json.loads((self.out("run") / "result.json").read_text())
+        self.assertEqual(result["faults"][0]["noticed_s"], 600)
+        self.assertNotIn(True, [uav["lost"] for uav in result["uavs"]])
+
+    def test_a_mission_whose_only_station_fails_ends_and_says_so(self):
+        shut = self.scenario(GARDEN.read_text() +
+                             "faults: [{at_s: 60, kind: bay_down, target: 1}]\n")
+        done = furrow("sim", shut, "--quiet", "--out", self.out("sim"))
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn("the mission is not completed", done.stderr)
+        self.assertIn("station 1 shuts bay 1, 0 of 1 are left", done.stderr)
+        self.assertNotIn("law ", done.stderr)
+
     def test_a_mission_that_lacks_mix_ends_and_says_so(self):
         short = self.scenario(GARDEN.read_text().replace("bays: 1", "bays: 1, mix_l: 5"))
         done = furrow("sim", short, "--quiet", "--out", self.out("sim"))

@@ -172,8 +172,8 @@ TEST_CASE("load: weather, solver, radio, limits, faults and expectations are rea
   CHECK(s.agent_lease == Duration{5'000'000'000});
   CHECK(s.mission_limit == Duration{7'200'000'000'000});
   REQUIRE(s.faults.size() == 2);  // In order of time.
-  CHECK(s.faults[0].target == AgentId{1});
-  CHECK(s.faults[1].target == AgentId{2});
+  CHECK(s.faults[0].target == node(AgentId{1}));
+  CHECK(s.faults[1].target == node(AgentId{2}));
   CHECK(s.faults[1].at == Instant{Duration{20'500'000'000}});
   REQUIRE(s.expectations.size() == 3);
   CHECK(s.expectations[0].key == "completed");

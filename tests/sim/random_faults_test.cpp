@@ -32,8 +32,9 @@ std::vector<mission::Fault> random_faults(Random& random, const mission::Scenari
     if (!faults.empty() && random.below(2) == 0) continue;
     const double at_s =
         static_cast<double>(random.below(static_cast<std::uint64_t>(1.2 * mission_s)));
-    faults.push_back(
-        {.at = instant(seconds(at_s)), .kind = mission::Fault::Kind::agent_kill, .target = v.id});
+    faults.push_back({.at = instant(seconds(at_s)),
+                      .kind = mission::Fault::Kind::agent_kill,
+                      .target = node(v.id)});
   }
   return faults;
 }
@@ -48,7 +49,7 @@ std::vector<mission::Fault> random_joins(Random& random, const mission::Scenario
     const auto at_s = static_cast<double>(1 + random.below(static_cast<std::uint64_t>(mission_s)));
     faults.push_back({.at = instant(seconds(at_s)),
                       .kind = mission::Fault::Kind::agent_join,
-                      .target = s.uavs[i].id});
+                      .target = node(s.uavs[i].id)});
   }
   return faults;
 }
@@ -116,6 +117,42 @@ void fly_random_joins(std::uint64_t first_seed, std::uint64_t runs) {
   CHECK(taken_over >= runs / 2);
 }
 
+/// Two stations of little mix and few packs, whose bays fail at any time.
+void fly_random_shortages(std::uint64_t first_seed, std::uint64_t runs) {
+  mission::Scenario scenario = small_fleet();
+  scenario.stations.push_back(scenario.stations[0]);
+  scenario.stations[1].id = StationId{2};
+  scenario.stations[1].position = at_m(300, 50);
+  const auto plan = scheduler::plan_fleet(mission::fleet_problem(scenario));
+  REQUIRE(plan);
+  std::size_t completed = 0, elsewhere = 0;
+  for (std::uint64_t seed = first_seed; seed < first_seed + runs; ++seed) {
+    CAPTURE(seed);
+    Random random{seed};
+    scenario.seed = seed;
+    bad_radio(scenario, random);
+    scenario.faults.clear();
+    for (Station& station : scenario.stations) {
+      station.mix = litres(static_cast<double>(random.below(120)));
+      station.packs = static_cast<std::uint32_t>(random.below(4));
+      if (random.below(2) == 0) continue;
+      const double at_s = static_cast<double>(random.below(900));
+      scenario.faults.push_back({.at = instant(seconds(at_s)),
+                                 .kind = mission::Fault::Kind::bay_down,
+                                 .target = node(station.id)});
+    }
+    const Log log = flown(scenario, *plan);
+    const SchedulerState last = judged(scenario, *plan, log);
+    // Who gives up closes its windows before it says so: what is left dry is known.
+    REQUIRE((last.completed || count(log, "not_served") > 0));
+    completed += last.completed;
+    elsewhere += count(log, "goes_elsewhere");
+  }
+  CHECK(completed > runs / 10);
+  CHECK(completed < runs);
+  CHECK(elsewhere > runs / 4);
+}
+
 void fly_random_faults(std::uint64_t first_seed, std::uint64_t runs) {
   mission::Scenario scenario = small_fleet();
   const auto plan = scheduler::plan_fleet(mission::fleet_problem(scenario));
@@ -145,6 +182,10 @@ TEST_CASE("random faults: what lost aircraft leave is sprayed once, by the other
 
 TEST_CASE("random faults: who joins late sprays nothing twice and leaves nothing out", "[sim]") {
   fly_random_joins(1, 60);
+}
+
+TEST_CASE("random faults: stations that fail or run out leave no cell unaccounted for", "[sim]") {
+  fly_random_shortages(1, 100);
 }
 
 TEST_CASE("a thousand random fault runs", "[.][sim]") { fly_random_faults(1001, 1000); }

@@ -263,5 +263,23 @@ TEST_CASE("queue: without packs those who want mix as well are given mix, the ot
   CHECK(queue.lacks(queue.waiting()[0]));
 }
 
+TEST_CASE("queue: a bay that is shut is given to nobody more, and without bays all is lacking",
+          "[supply]") {
+  BayQueue queue{station(2), terms};
+  queue.hear(claim(1, 0), at_s(0));
+  CHECK(queue.advance(at_s(0)).at(0).bay == 1);
+  queue.shut(1);
+  queue.hear(claim(2, 1), at_s(1));
+  queue.hear(claim(3, 1), at_s(1));
+  CHECK(queue.advance(at_s(1)).at(0).bay == 2);
+  CHECK(queue.in_bay().size() == 2);  // who is in it stays
+  CHECK_FALSE(queue.lacks(queue.waiting().at(0)));
+  queue.hear(with(claim(1, 0), ClaimStatus::released, 1), at_s(2));
+  CHECK(queue.advance(at_s(2)).empty());
+  queue.shut(2);
+  CHECK(queue.open_bays() == 0);
+  CHECK(queue.lacks(queue.waiting().at(0)));
+}
+
 }  // namespace
 }  // namespace furrow::supply

@@ -34,6 +34,15 @@ void add_vehicles(HtmlTable& table, const std::vector<Vehicle>& uavs) {
   }
 }
 
+std::string described(const mission::Fault& fault) {
+  using Kind = mission::Fault::Kind;
+  const std::uint32_t number = fault.target.number;
+  if (fault.kind == Kind::agent_kill) return fmt::format("UAV {} dies", number);
+  if (fault.kind == Kind::agent_join) return fmt::format("UAV {} joins", number);
+  if (fault.bay == 0) return fmt::format("station {} shuts all its bays", number);
+  return fmt::format("station {} shuts bay {}", number, fault.bay);
+}
+
 }  // namespace
 
 std::string scenario_table(const MissionRecord& record) {
@@ -72,9 +81,8 @@ std::string scenario_table(const MissionRecord& record) {
                          seconds(s.link.latency).base() * 1e3, seconds(s.link.jitter).base() * 1e3,
                          100 * s.link.loss, 100 * s.link.duplication)});
   for (const mission::Fault& fault : s.faults) {
-    const bool joins = fault.kind == mission::Fault::Kind::agent_join;
-    table.row({"Fault", fmt::format("UAV {} {} at {:.1f} min", number(fault.target),
-                                    joins ? "joins" : "dies", seconds(fault.at).base() / 60)});
+    table.row({"Fault",
+               fmt::format("{} at {:.1f} min", described(fault), seconds(fault.at).base() / 60)});
   }
   return table.markup();
 }
