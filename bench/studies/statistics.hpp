@@ -20,6 +20,12 @@ inline double deviation(const std::vector<double>& values) {
   return std::sqrt(sum / static_cast<double>(values.size() - 1));
 }
 
+inline double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t n = values.size();
+  return (values[(n - 1) / 2] + values[n / 2]) / 2;
+}
+
 inline double worst(const std::vector<double>& values) {
   return *std::max_element(values.begin(), values.end());
 }

@@ -1,9 +1,10 @@
 // The comparison of route searches over terrain, as tables in Markdown on standard output:
 //
 //     terrain_route_study compare PICTURE.svg     the paper's comparisons, 30 seeds
-//     terrain_route_study optimality SECONDS      the gap of every planner over 20 scenes
-//
-// Seconds are turned into judged curves at the rates below, so that a run repeats on any machine.
+//     terrain_route_study optimality RUNS.csv PICTURE.svg ROUNDS
+//                                                 the gap of every planner over 20 scenes, against
+//                                                 the best of as many rounds of long runs
+#include "bench/studies/route_gaps.hpp"
 #include "bench/studies/statistics.hpp"
 #include "planner/routes/ants.hpp"
 #include "planner/routes/evolution.hpp"
@@ -221,72 +222,19 @@ void compare(const std::string& picture) {
   table(rates, rates.front());
 }
 
-// Judged curves a second of one core, measured on the machine of docs/benchmarks.md.
-double per_second(RoutePlanner planner) {
-  switch (planner) {
-    case RoutePlanner::improved_ga:
-    case RoutePlanner::plain_ga: return 500'000;
-    case RoutePlanner::ants: return 250'000;
-    case RoutePlanner::rrt_star: return 5'000;
-    case RoutePlanner::bit_star: return 5'000;
-    case RoutePlanner::lattice: return 300'000;
-  }
-  return 0;
-}
-
-constexpr std::uint64_t scenes = 20;
-
-// The least feasible cost of ten runs of 0.1 s of each planner that costs no more.
-double reference(const Scene& scene) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const RoutePlanner planner : route_planners) {
-    const auto budget = static_cast<std::uint64_t>(0.1 * per_second(planner));
-    for (std::uint64_t seed = 100; seed < 110; ++seed) {
-      const Individual best = search_route(scene, {planner, budget, seed}).best;
-      if (best.cost.is_feasible()) least = std::min(least, best.cost.total());
-    }
-  }
-  return least;
-}
-
-void optimality(double seconds) {
-  std::vector<std::vector<double>> costs(std::size(route_planners));
-  std::vector<double> best;
-  for (std::uint64_t number = 0; number < scenes; ++number) {
-    const Scene scene = hills::scene(number, number % 4);
-    best.push_back(reference(scene));
-    for (std::size_t i = 0; i < costs.size(); ++i) {
-      const RoutePlanner planner = route_planners[i];
-      const auto budget = static_cast<std::uint64_t>(seconds * per_second(planner));
-      const Individual one = search_route(scene, {planner, budget, 1}).best;
-      costs[i].push_back(one.cost.is_feasible() ? one.cost.total()
-                                                : std::numeric_limits<double>::infinity());
-      best.back() = std::min(best.back(), costs[i].back());
-    }
-  }
-  fmt::print("| budget {} s | feasible | mean gap of those | worst |\n|---|---|---|---|\n",
-             seconds);
-  for (std::size_t i = 0; i < costs.size(); ++i) {
-    std::vector<double> gaps;
-    for (std::size_t s = 0; s < scenes; ++s) {
-      if (std::isfinite(costs[i][s])) gaps.push_back(costs[i][s] / best[s] - 1);
-    }
-    fmt::print("| {} | {} of {} | {:.2f} % | {:.2f} % |\n", name(route_planners[i]), gaps.size(),
-               scenes, 100 * mean(gaps), 100 * worst(gaps));
-  }
-}
-
 }  // namespace
 }  // namespace furrow::studies
 
 int main(int count, char** words) {
-  const std::string what = count == 3 ? words[1] : "";
-  if (what == "compare") {
+  const std::string what = count > 1 ? words[1] : "";
+  if (what == "compare" && count == 3) {
     furrow::studies::compare(words[2]);
-  } else if (what == "optimality" && std::atof(words[2]) > 0) {
-    furrow::studies::optimality(std::atof(words[2]));
+  } else if (what == "optimality" && count == 5) {
+    furrow::studies::route_gaps(words[2], words[3], std::strtoull(words[4], nullptr, 10));
   } else {
-    fmt::print(stderr, "usage: terrain_route_study compare PICTURE.svg | optimality SECONDS\n");
+    fmt::print(stderr,
+               "usage: terrain_route_study compare PICTURE.svg\n"
+               "       terrain_route_study optimality RUNS.csv PICTURE.svg ROUNDS\n");
     return 2;
   }
 }
