@@ -38,7 +38,11 @@ std::vector<sim::Violation> judged(const MissionRecord& record, const Flight& fl
 std::vector<std::string> shortcomings(const Result& result, const std::vector<Envelope>& log) {
   std::vector<std::string> all;
   if (result.partial) all.push_back("the mission was broken off; the results are partial");
-  if (!result.completed) {
+  if (!result.completed && result.survey) {
+    all.push_back(fmt::format("the mission is not completed: {} of {} way points are not visited",
+                              result.survey->way_points - result.survey->visited,
+                              result.survey->way_points));
+  } else if (!result.completed) {
     all.push_back(fmt::format("the mission is not completed: {:.0f} m2 are not sprayed",
                               result.coverage.missed_m2 - result.coverage.unrouted_m2));
   }

@@ -10,7 +10,8 @@
 namespace furrow {
 
 /// Half-open run of cells [first, first + count) in the order of the coverage route. A cell is the
-/// unit of the ledger: it is sprayed once its centre has been passed with the valve open.
+/// unit of the ledger: it is sprayed once its centre has been passed with the valve open. On a
+/// survey it is a place to visit: done once it has been passed.
 struct CellRange {
   std::uint32_t first;
   std::uint32_t count;
@@ -28,12 +29,17 @@ constexpr std::uint32_t end(CellRange r) { return r.first + r.count; }
 /// Sprayed from centre to centre, a piece ends at `exit == to`, and begins at `entry == from` or,
 /// where it continues sprayed ground, at the centre of the cell before its first. Sprayed from end
 /// to end, all four lie on one line, `entry` and `exit` at the outer edges of the end cells.
+///
+/// Where all four are one place it is visited only: the valve stays closed.
 struct Piece {
   CellRange cells;
   FieldPoint entry, from, to, exit;
   /// Way points from the exit of the piece before in the same sortie to `entry`, flown with the
   /// valve closed; none: straight.
   std::vector<FieldPoint> approach{};
+  /// Above the datum, one for each way point of the approach, flown straight between them; none:
+  /// the height of work is kept [m].
+  std::vector<double> approach_altitudes_m{};
   friend bool operator==(const Piece&, const Piece&) = default;
 };
 

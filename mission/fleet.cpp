@@ -66,6 +66,13 @@ agents::AvoidanceRule avoidance_rule(const Scenario& scenario) {
           .turn_radius = swath->avoidance->turn_radius};
 }
 
+std::optional<planner::SurveySettings> survey_of(const Scenario& scenario) {
+  constexpr std::uint64_t purpose = 0x737572766579;  // "survey"
+  auto survey = scenario.survey;
+  if (survey) survey->search.seed = seed_for(scenario.seed, {purpose});
+  return survey;
+}
+
 }  // namespace
 
 scheduler::FleetProblem fleet_problem(const Scenario& scenario) {
@@ -88,7 +95,8 @@ scheduler::FleetProblem fleet_problem(const Scenario& scenario) {
           .vehicles = std::move(present),
           .solver = scenario.solver,
           .terrain = scenario.terrain,
-          .joining = std::move(joining)};
+          .joining = std::move(joining),
+          .survey = survey_of(scenario)};
 }
 
 BootId first_boot(const Scenario& scenario, NodeId node) {

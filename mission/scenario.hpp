@@ -10,6 +10,7 @@
 #include "exchange/local_frame.hpp"
 #include "planner/coverage/cover.hpp"
 #include "planner/returns/solve.hpp"
+#include "planner/survey/survey.hpp"
 #include "planner/terrain/relief.hpp"
 
 #include <cstdint>
@@ -59,8 +60,9 @@ struct Scenario {
   std::vector<Surprise> surprises;           ///< Obstacles that the plan does not know.
   std::vector<Vehicle> uavs;                 ///< At least one, ids 1, 2, ... in file order.
   Wind wind;
-  std::optional<planner::TerrainModel> terrain;  ///< None: level, and heights are not flown.
-  planner::SolveSettings solver;                 ///< Its seed is the scenario's.
+  std::optional<planner::TerrainModel> terrain;   ///< None: level, and heights are not flown.
+  std::optional<planner::SurveySettings> survey;  ///< None: the field is sprayed.
+  planner::SolveSettings solver;                  ///< Its seed is the scenario's.
   Link link;
   Duration agent_lease;       ///< An agent silent for longer is lost.
   Duration mission_limit;     ///< The run is given up after this mission time.

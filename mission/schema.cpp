@@ -2,6 +2,7 @@
 
 #include "exchange/land.hpp"
 #include "mission/outline.hpp"
+#include "mission/survey.hpp"
 #include "mission/terrain.hpp"
 
 #include <fmt/format.h>
@@ -421,6 +422,7 @@ Draft read_scenario(const Section& root) {
   draft.fleet_in_order = in_order(root, [&] { read_uavs(root, draft); });
   s.wind = read_wind(root.section("wind"));
   s.terrain = read_terrain(root.section("terrain"), s);
+  s.survey = read_survey(root, s);
   s.solver = read_solver(root.section("solver"), s.seed);
   s.link = read_link(root.section("link"));
   read_limits(root.section("limits"), s);

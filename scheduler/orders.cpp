@@ -36,7 +36,10 @@ SortieOrder sortie_order(const planner::Route& route, const UavPlan& uav, std::u
     const planner::Strip& strip = route.strips[s];
     const std::uint32_t stop = std::min(last, end(strip.cells));
     Piece next = piece(route, strip, {first, stop - first}, uav.cells.first);
-    if (!order.pieces.empty()) next.approach = strip.approach;
+    if (!order.pieces.empty()) {
+      next.approach = strip.approach;
+      next.approach_altitudes_m = strip.approach_altitudes_m;
+    }
     order.pieces.push_back(std::move(next));
     first = stop;
   }

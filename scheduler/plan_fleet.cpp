@@ -121,11 +121,41 @@ std::vector<planner::CoverageModel> candidates(const FleetProblem& problem) {
   return models;
 }
 
+Length corner_cut(const FleetProblem& problem) { return 0.5 * problem.vehicles.front().swath; }
+
+Expected<Sketch, PlanError> survey_sketch(const FleetProblem& problem,
+                                          const planner::FerryMap& ferries) {
+  for (const FieldPoint at : problem.survey->way_points) {
+    if (ferries.reaches(at)) continue;
+    return Unexpected{PlanError{
+        PlanFault::out_of_reach,
+        fmt::format("the way point ({:.3f}, {:.3f}) m is cut off from the stations by holes, "
+                    "obstacles or keep-out volumes",
+                    at.x.base(), at.y.base()),
+        at}};
+  }
+  planner::SurveyRule rule{.field = problem.field, .apart = corner_cut(problem), .speed = {}};
+  for (const Vehicle& v : whole_fleet(problem)) {
+    rule.speed = std::max(rule.speed, v.ferry_speed);
+    rule.turn_radius = std::max(rule.turn_radius, v.min_turn_radius);
+  }
+  Sketch made{.coverage = {.route = planner::survey_route(*problem.survey, rule, ferries,
+                                                          problem.vehicles.front().home),
+                           .direction_deg = 0,
+                           .sweep = {}},
+              .lengths = {},
+              .draft = {}};
+  made.lengths = route_lengths(made.coverage.route, problem.stations);
+  made.draft = draft(made.coverage.route, made.lengths, problem.vehicles, problem.stations);
+  return made;
+}
+
 /// The sketch with the smallest forecast makespan.
 Expected<Sketch, PlanError> best_sketch(const FleetProblem& problem) {
-  const std::vector<planner::CoverageModel> models = candidates(problem);
   const auto ferries = ferry_map(problem);
   if (!ferries) return Unexpected{ferries.error()};
+  if (problem.survey) return survey_sketch(problem, *ferries);
+  const std::vector<planner::CoverageModel> models = candidates(problem);
   auto best = sketch(problem, *ferries, models.front());
   for (std::size_t i = 1; i < models.size(); ++i) {
     auto other = sketch(problem, *ferries, models[i]);
@@ -235,9 +265,10 @@ Extent flown_over(const Field& field, const std::vector<FieldPoint>& stands) {
   return all;
 }
 
-std::optional<PlanError> terrain_fault(const planner::Relief& relief, const Ring& boundary) {
+std::optional<PlanError> terrain_fault(const planner::Relief& relief, const Ring& boundary,
+                                       bool is_survey) {
   for (const planner::KeepOut& volume : relief.keep_out()) {
-    if (!is_over(volume, boundary)) continue;
+    if (is_survey || !is_over(volume, boundary)) continue;
     return PlanError{PlanFault::out_of_reach,
                      fmt::format("the keep-out volume at ({:.3f}, {:.3f}) m reaches over the field",
                                  volume.x_m, volume.y_m)};
@@ -258,7 +289,7 @@ Expected<planner::FerryMap, PlanError> ferry_map(const FleetProblem& problem) {
   // Rounding at the corners around a circle must not keep strips' ends out of the ferries' land.
   constexpr double kept_safety = 0.96;
   Field field = problem.field;
-  planner::FerryRule rule{.corner_cut = 0.5 * problem.vehicles.front().swath};
+  planner::FerryRule rule{.corner_cut = corner_cut(problem)};
   std::visit([&](const auto& settings) { rule.margin = settings.margin; }, problem.coverage);
   if (const auto* swath = std::get_if<planner::SwathSettings>(&problem.coverage)) {
     rule.hole_buffer = swath->hole_buffer;
@@ -276,7 +307,8 @@ Expected<planner::FerryMap, PlanError> ferry_map(const FleetProblem& problem) {
   for (const Vehicle& vehicle : whole_fleet(problem)) add(vehicle.home);
   if (!problem.terrain) return planner::FerryMap::over(field, rule, stands);
   const planner::Relief relief{*problem.terrain, flown_over(field, stands)};
-  if (auto fault = terrain_fault(relief, field.boundary)) return Unexpected{std::move(*fault)};
+  if (auto fault = terrain_fault(relief, field.boundary, problem.survey.has_value()))
+    return Unexpected{std::move(*fault)};
   for (const planner::KeepOut& volume : relief.keep_out()) {
     field.obstacles.push_back({.id = "keep-out",
                                .center = at_m(volume.x_m, volume.y_m),

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "planner/coverage/cover.hpp"
+#include "planner/survey/survey.hpp"
 #include "planner/terrain/relief.hpp"
 #include "scheduler/fleet_plan.hpp"
 
@@ -8,7 +9,7 @@
 
 namespace furrow::scheduler {
 
-/// A field to spray and what there is to spray it with.
+/// A field to spray, or places to visit over it, and what there is to do so with.
 struct FleetProblem {
   Field field;
   planner::CoverageModel coverage;           ///< Its direction is the next line's.
@@ -18,11 +19,14 @@ struct FleetProblem {
   planner::SolveSettings solver;             ///< Its budget is for the whole fleet.
   std::optional<planner::TerrainModel> terrain{};  ///< None: level land.
   std::vector<Vehicle> joining{};  ///< Come after the start: they are given no share.
+  /// Then way points are visited and nothing is sprayed; the terrain's work height is the survey's.
+  std::optional<planner::SurveySettings> survey{};
 };
 
 /// The ways between all stations, homes and strips, at the distances that strips keep. Over terrain
 /// with its heights; they lead around keep-out volumes, whatever part of their height is kept out.
-/// @error  out_of_reach  A keep-out volume is over the field, or the ceiling is too low for ferries
+/// @error  out_of_reach  A keep-out volume is over a field to spray, or the ceiling is too low for
+/// ferries
 ///         over the highest ground on the way.
 /// @error  any other     As planner::FerryMap::over.
 Expected<planner::FerryMap, planner::PlanError> ferry_map(const FleetProblem& problem);
@@ -32,8 +36,11 @@ Expected<planner::FerryMap, planner::PlanError> ferry_map(const FleetProblem& pr
 ///
 /// Without a work direction, the swath model searches its own over the whole circle; of the grid,
 /// 0, 90, 180 and 270 degrees are drafted and the one with the smallest forecast makespan is
-/// planned. Without a start, the route begins near the first aircraft's home. The result depends on
-/// nothing but the problem.
+/// planned. Without a start, the route begins near the first aircraft's home. A survey's route is a
+/// tour from there over its way points (see planner::survey_route). The result depends on nothing
+/// but the problem.
+///
+/// Source: Beasley 1983, Omega 11(4), 403-408 (shares cut from one tour).
 ///
 /// @error  swaths_differ   The aircraft do not all spray the same width.
 /// @error  tank_too_small  A tank does not last for one cell.

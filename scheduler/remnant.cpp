@@ -17,6 +17,7 @@ planner::Strip cut(const planner::Route& whole, const planner::Strip& strip, Cel
   left.end = planner::stop_point(whole, strip, end(cells) - 1);
   left.continues = false;
   left.approach.clear();
+  left.approach_altitudes_m.clear();
   return left;
 }
 
@@ -26,6 +27,7 @@ void connect(const planner::Route& whole, const planner::Strip& before, planner:
   if (end(before.cells) == next.cells.first && strip.cells.first == next.cells.first) {
     next.continues = strip.continues;
     next.approach = strip.approach;
+    next.approach_altitudes_m = strip.approach_altitudes_m;
     return;
   }
   next.approach = approach_over(whole.ferries, before, next);

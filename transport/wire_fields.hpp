@@ -145,6 +145,8 @@ void fields(D& d, Seen<D, Command>& m, fleet::v1::Command& w) {
       fields(p, piece.exit, q.exit());
       p.sequence(piece.approach, q.approach(),
                  [](D& a, auto& point, fleet::v1::Point& at) { fields(a, point, at); });
+      p.sequence(piece.approach_altitudes_m, q.approach_altitude_m(),
+                 [](D& a, auto& altitude_m, double& on_wire) { a(altitude_m, on_wire); });
     });
   });
   d.sequence(m.obstacles, w.obstacles(),

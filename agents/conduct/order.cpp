@@ -22,6 +22,10 @@ std::optional<std::string> fault_in(const Piece& p) {
       !std::all_of(p.approach.begin(), p.approach.end(), is_finite)) {
     return name + " is nowhere";
   }
+  if (!p.approach_altitudes_m.empty() && p.approach_altitudes_m.size() != p.approach.size()) {
+    return name + " has " + std::to_string(p.approach_altitudes_m.size()) + " heights for " +
+           std::to_string(p.approach.size()) + " way points";
+  }
   if ((p.cells.count == 1) != (p.from == p.to)) {
     return name + " has " + std::to_string(p.cells.count) + " cells on " +
            std::to_string(distance(p.from, p.to).base()) + " m";
@@ -65,6 +69,7 @@ std::vector<Piece> Order::rest_of_sortie() const {
     cut.entry = cell_center(cut, in_piece_ - 1);
     cut.from = cell_center(cut, in_piece_);
     cut.approach.clear();
+    cut.approach_altitudes_m.clear();
     cut.cells = {cut.cells.first + in_piece_, cut.cells.count - in_piece_};
   }
   return rest;

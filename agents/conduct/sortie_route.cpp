@@ -66,6 +66,16 @@ class Laying {
     if (relief == nullptr) return bent(around_.ferry_bends(at_, to), to, speed.base(), corner);
     return over(relief->contour(at_, to, speed), corner);
   }
+  /// By the way points of an approach at their heights, where it has any; and on to `entry`.
+  double approach(const Piece& piece, Speed speed, Corner corner) {
+    const planner::Relief* relief = ferries_.relief();
+    if (relief == nullptr || piece.approach_altitudes_m.empty()) {
+      for (const FieldPoint at : piece.approach) pass(at, vehicle_.ferry_speed, Corner::held);
+      return work(piece.entry, speed, corner);
+    }
+    const auto way = relief->way_at(at_, piece.approach, piece.approach_altitudes_m, piece.entry);
+    return over(relief->straight(way, speed), corner, Corner::held);
+  }
   double ferry(FieldPoint to, Corner corner = Corner::cut) {
     const Speed speed = vehicle_.ferry_speed;
     if (const planner::Relief* relief = ferries_.relief()) {
@@ -115,7 +125,7 @@ class Laying {
   }
 
   // Pieces of one speed in a row are one leg.
-  double over(const planner::AirWay& air, Corner corner) {
+  double over(const planner::AirWay& air, Corner corner, Corner within = Corner::cut) {
     route_.heights.mark(leg_m_, air.altitude_m);
     for (std::size_t i = 0; i < air.legs.size(); ++i) {
       const planner::AirLeg& leg = air.legs[i];
@@ -124,7 +134,7 @@ class Laying {
       if (goes_on) {
         route_.heights.mark(leg_m_ + distance(at_, leg.to).base(), leg.altitude_m);
       } else {
-        straight(leg.to, leg.limit_mps, is_last ? corner : Corner::cut);
+        straight(leg.to, leg.limit_mps, is_last ? corner : within);
         route_.heights.mark(leg_m_, leg.altitude_m);
       }
     }
@@ -192,12 +202,9 @@ SortieRoute sortie_route(Xy from_m, std::span<const Piece> pieces, Xy to_m, cons
     const auto corner = [&](bool open) {
       return !to_its_end ? Corner::cut : open ? Corner::held : Corner::stop;
     };
-    if (i > 0) {
-      for (const FieldPoint at : piece.approach) lay.pass(at, v.ferry_speed, Corner::held);
-    }
     const Speed speed = continues ? v.spray_speed : v.ferry_speed;
     const double open = i == 0 ? lay.ferry(piece.entry, corner(false))
-                               : lay.work(piece.entry, speed, corner(continues));
+                               : lay.approach(piece, speed, corner(continues));
     lay.mark();
     double from = 0.0, close = 0.0;
     if (!to_its_end) {

@@ -42,7 +42,8 @@ std::vector<exchange::TrackPoint> track(const SortieOrder& order, FieldPoint hom
 
 }  // namespace
 
-std::vector<exchange::SortieTrack> sortie_tracks(const scheduler::FleetPlan& plan) {
+std::vector<exchange::SortieTrack> sortie_tracks(const scheduler::FleetPlan& plan,
+                                                 std::optional<Length> survey_height) {
   std::vector<exchange::SortieTrack> tracks;
   for (const scheduler::UavPlan& uav : plan.uavs) {
     std::uint32_t number = 0;
@@ -53,7 +54,7 @@ std::vector<exchange::SortieTrack> sortie_tracks(const scheduler::FleetPlan& pla
                         .home = home,
                         .landing = uav.station.position,
                         .points = track(order, home, uav.station.position, plan.route.ferries),
-                        .altitude = metres(altitude_m),
+                        .altitude = survey_height.value_or(metres(altitude_m)),
                         .spray_speed = uav.vehicle.spray_speed,
                         .ferry_speed = uav.vehicle.ferry_speed});
       home = uav.station.position;  // from the second sortie on

@@ -47,6 +47,7 @@ class Hash {
   void operator()(const Piece& p) {
     all(p.cells, p.entry, p.from, p.to);
     if (!(p.exit == p.to) || !p.approach.empty()) all(p.exit, p.approach);
+    if (!p.approach_altitudes_m.empty()) all(p.approach_altitudes_m);
   }
   void operator()(const SortieOrder& s) { all(s.pieces, s.station); }
   void operator()(const GrantWindow& w) { all(w.id, w.cells); }

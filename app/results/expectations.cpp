@@ -70,6 +70,11 @@ std::vector<std::pair<std::string, double>> figures(const Result& r) {
       {"laws.violations", static_cast<double>(r.violations.size())},
       {"log.messages", static_cast<double>(r.log.messages)},
   };
+  if (r.survey) {
+    all.emplace_back("survey.way_points", r.survey->way_points);
+    all.emplace_back("survey.visited", r.survey->visited);
+    all.emplace_back("survey.uncertain", r.survey->uncertain);
+  }
   if (r.solver.gap) all.emplace_back("solver.gap", *r.solver.gap);
   return all;
 }

@@ -67,10 +67,37 @@ void add_land(Json& features, const mission::Scenario& scenario) {
   }
 }
 
+// A way point of a survey, with the way that leads to it within a sortie.
+void add_visit(Json& features, const planner::Route& route, std::uint32_t index, std::uint32_t uav,
+               bool is_first) {
+  const planner::Strip& visit = route.strips[index];
+  features.push_back(feature("Point", position(visit.begin),
+                             {{"kind", "way_point"}, {"way_point", index + 1}, {"uav", uav}}));
+  if (is_first) return;
+  const planner::Relief* relief = route.ferries.relief();
+  Json way = Json::array();
+  const auto add = [&](FieldPoint at, std::size_t k) {
+    way.push_back(position(at));
+    if (relief == nullptr) return;
+    const bool is_given = k < visit.approach_altitudes_m.size();
+    way.back().push_back(
+        rounded(is_given ? visit.approach_altitudes_m[k] : relief->work_altitude_m(at)));
+  };
+  add(route.strips[index - 1].end, visit.approach.size());
+  for (std::size_t k = 0; k < visit.approach.size(); ++k) add(visit.approach[k], k);
+  add(visit.begin, visit.approach.size());
+  features.push_back(feature("LineString", std::move(way),
+                             {{"kind", "way"}, {"to_way_point", index + 1}, {"uav", uav}}));
+}
+
 void add_work(Json& features, const planner::Route& route, const scheduler::UavPlan& uav) {
   const std::uint32_t id = number(uav.vehicle.id);
   for (std::uint32_t i = uav.strips.first; i < end(uav.strips); ++i) {
     const planner::Strip& strip = route.strips[i];
+    if (planner::is_survey(route)) {
+      add_visit(features, route, i, id, i == uav.strips.first);
+      continue;
+    }
     features.push_back(feature("LineString",
                                Json::array({position(strip.begin), position(strip.end)}),
                                {{"kind", "strip"},

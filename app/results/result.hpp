@@ -152,6 +152,13 @@ struct ExpectationFigures {
   std::string message;  ///< Why it is missed; empty when met.
 };
 
+/// Of a survey.
+struct SurveyFigures {
+  std::uint32_t way_points;
+  std::uint32_t visited;    ///< Proven by a closed grant; planned when only planned.
+  std::uint32_t uncertain;  ///< Passed in truth, without proof.
+};
+
 struct Result {
   std::string scenario;
   std::uint64_t seed;
@@ -161,6 +168,7 @@ struct Result {
   FieldFigures field;
   std::optional<exchange::Datum> datum;        ///< Where on the globe the field frame lies.
   std::optional<planner::SweepFigures> sweep;  ///< Of the swath model.
+  std::optional<SurveyFigures> survey;         ///< Then there is nothing to cover.
   CoverageFigures coverage;
   FootprintFigures footprint;
   FleetFigures fleet;

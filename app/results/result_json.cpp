@@ -66,6 +66,10 @@ Json json(const planner::SweepFigures& s) {
           {"avoidance", s.avoidance ? json(*s.avoidance) : Json{}}};
 }
 
+Json json(const SurveyFigures& s) {
+  return {{"way_points", s.way_points}, {"visited", s.visited}, {"uncertain", s.uncertain}};
+}
+
 Json json(const CoverageFigures& c) {
   return {{"covered_m2", rounded(c.covered_m2)},    {"missed_m2", rounded(c.missed_m2)},
           {"repeated_m2", rounded(c.repeated_m2)},  {"outside_m2", rounded(c.outside_m2)},
@@ -213,28 +217,29 @@ Json timing(const Result& r) {
 }  // namespace
 
 std::string result_json(const Result& r) {
-  const Json all{{"version", 1},
-                 {"scenario", r.scenario},
-                 {"seed", r.seed},
-                 {"mode", name(r.mode)},
-                 {"partial", r.partial},
-                 {"completed", r.completed},
-                 {"field", json(r.field)},
-                 {"datum", datum_json(r.datum)},
-                 {"sweep", r.sweep ? json(*r.sweep) : Json{}},
-                 {"coverage", json(r.coverage)},
-                 {"footprint", json(r.footprint)},
-                 {"fleet", json(r.fleet)},
-                 {"uavs", list<UavFigures>(r.uavs, json)},
-                 {"batteries", list<BatteryFigures>(r.batteries, json)},
-                 {"solver", json(r.solver)},
-                 {"deviation", json(r.deviation)},
-                 {"stations", list<StationFigures>(r.stations, json)},
-                 {"laws", laws(r.violations)},
-                 {"log", {{"messages", r.log.messages}, {"digest", r.log.digest}}},
-                 {"timing", timing(r)},
-                 {"faults", list<FaultFigures>(r.faults, json)},
-                 {"expectations", list<ExpectationFigures>(r.expectations, json)}};
+  Json all{{"version", 1},
+           {"scenario", r.scenario},
+           {"seed", r.seed},
+           {"mode", name(r.mode)},
+           {"partial", r.partial},
+           {"completed", r.completed},
+           {"field", json(r.field)},
+           {"datum", datum_json(r.datum)},
+           {"sweep", r.sweep ? json(*r.sweep) : Json{}},
+           {"coverage", json(r.coverage)},
+           {"footprint", json(r.footprint)},
+           {"fleet", json(r.fleet)},
+           {"uavs", list<UavFigures>(r.uavs, json)},
+           {"batteries", list<BatteryFigures>(r.batteries, json)},
+           {"solver", json(r.solver)},
+           {"deviation", json(r.deviation)},
+           {"stations", list<StationFigures>(r.stations, json)},
+           {"laws", laws(r.violations)},
+           {"log", {{"messages", r.log.messages}, {"digest", r.log.digest}}},
+           {"timing", timing(r)},
+           {"faults", list<FaultFigures>(r.faults, json)},
+           {"expectations", list<ExpectationFigures>(r.expectations, json)}};
+  if (r.survey) all["survey"] = json(*r.survey);
   // A name that is not UTF-8 must not stop the results of a mission from being written.
   return all.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }

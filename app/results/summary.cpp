@@ -27,8 +27,9 @@ const char* name(mission::Fault::Kind kind) {
   return "unknown";
 }
 
-// Each cell's length as a share of the nominal cell: 1 where cells are squares.
+// Each cell's length as a share of the nominal cell: 1 where cells are squares, 0 on a survey.
 std::vector<double> cell_shares(const planner::Route& route) {
+  if (planner::is_survey(route)) return std::vector<double>(route.centers.size());
   std::vector<double> shares = planner::cell_lengths_m(route);
   for (double& length : shares) length /= route.cell.base();
   return shares;
@@ -113,6 +114,25 @@ CoverageFigures flown_coverage(const MissionRecord& record, const Flown& flown,
           .unrouted_m2 = unrouted * cell_m2,
           .abandoned_m2 = abandoned * cell_m2,
           .uncertain_m2 = uncertain * cell_m2};
+}
+
+SurveyFigures planned_survey(const MissionRecord& record) {
+  SurveyFigures f{};
+  f.way_points = static_cast<std::uint32_t>(record.plan.route.centers.size());
+  for (const scheduler::UavPlan& uav : record.plan.uavs) f.visited += uav.cells.count;
+  return f;
+}
+
+SurveyFigures flown_survey(const Flown& flown) {
+  SurveyFigures f{};
+  f.way_points = static_cast<std::uint32_t>(flown.proofs.size());
+  std::vector<bool> is_passed(flown.proofs.size());
+  for (const Pass& pass : flown.passes) is_passed[pass.cell] = true;
+  for (std::size_t i = 0; i < is_passed.size(); ++i) {
+    f.visited += flown.proofs[i] > 0;
+    f.uncertain += flown.proofs[i] == 0 && is_passed[i];
+  }
+  return f;
 }
 
 Spread spread(const FlightRecord::Deviation& d) {
@@ -230,11 +250,12 @@ FleetFigures fleet_figures(const MissionRecord& record, const Flown& flown, cons
     f.queue_wait_s += uav.queue_wait_s;
     f.ferry_m += uav.ferry_m;
   }
-  const MissionWays ways = is_flown ? flown_ways(flown) : planned_ways(record);
+  const MissionWays ways =
+      is_flown ? flown_ways(flown, result.survey.has_value()) : planned_ways(record);
   f.route_m = length_m(ways.at_work);
   f.flown_outside_m = outside_m(record, ways.whole);
   f.outside_at_work_m = outside_m(record, ways.at_work);
-  f.rate_l_ha = mean_rate_l_ha(record, result.uavs);
+  if (!result.survey) f.rate_l_ha = mean_rate_l_ha(record, result.uavs);
   add_litres(f, result.footprint);
   return f;
 }
@@ -330,7 +351,9 @@ Result summary(const MissionRecord& record, const Flown& flown) {
                  : planned_figures(record.plan.route, uav, area_m2));
   }
   r.sweep = record.plan.sweep;
-  if (!r.sweep) {
+  if (planner::is_survey(record.plan.route)) {
+    r.survey = is_flown ? flown_survey(flown) : planned_survey(record);
+  } else if (!r.sweep) {
     r.footprint = footprint(record.scenario.field, record.plan.route,
                             is_flown ? flown.passes : planned_passes(record.plan),
                             record.plan.work_direction_deg);
@@ -341,8 +364,9 @@ Result summary(const MissionRecord& record, const Flown& flown) {
     r.coverage = sweep_coverage(r.coverage, *r.sweep, areas);
     r.footprint = footprint(areas);
   }
-  r.completed = is_flown ? !record.partial && flown.last_word && flown.last_word->completed
-                         : r.coverage.abandoned_m2 == 0;
+  r.completed = is_flown   ? !record.partial && flown.last_word && flown.last_word->completed
+                : r.survey ? r.survey->visited == r.survey->way_points
+                           : r.coverage.abandoned_m2 == 0;
   r.fleet = fleet_figures(record, flown, r);
   r.batteries = battery_figures(r.uavs);
   r.solver = solver_figures(record);

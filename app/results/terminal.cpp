@@ -54,26 +54,34 @@ std::string uav_rows(const Result& r) {
                     100 * r.deviation.truth.rms_m);
 }
 
+std::string work_done(const Result& r) {
+  if (r.survey) {
+    return fmt::format("visited {} of {} way points\n", r.survey->visited, r.survey->way_points);
+  }
+  std::string lines =
+      fmt::format("covered {:.2f} ha, missed {:.0f} m2, repeated {:.0f} m2, outside {:.1f} m2\n",
+                  r.coverage.covered_m2 / 10'000, r.coverage.missed_m2, r.coverage.repeated_m2,
+                  r.coverage.outside_m2);
+  lines += fmt::format("mix {:.1f} L at {:.2f} L/ha, {:.2f} L of it twice, {:.2f} L outside\n",
+                       r.fleet.sprayed_l, r.fleet.rate_l_ha, r.fleet.repeated_l, r.fleet.outside_l);
+  return lines;
+}
+
 }  // namespace
 
 std::string summary_table(const Result& r) {
   std::string table =
       cut(fmt::format("{} (seed {}): {}", r.scenario, r.seed, state(r))) + uav_rows(r);
-  table +=
-      fmt::format("covered {:.2f} ha, missed {:.0f} m2, repeated {:.0f} m2, outside {:.1f} m2\n",
-                  r.coverage.covered_m2 / 10'000, r.coverage.missed_m2, r.coverage.repeated_m2,
-                  r.coverage.outside_m2);
-  table += fmt::format("mix {:.1f} L at {:.2f} L/ha, {:.2f} L of it twice, {:.2f} L outside\n",
-                       r.fleet.sprayed_l, r.fleet.rate_l_ha, r.fleet.repeated_l, r.fleet.outside_l);
+  table += work_done(r);
   if (r.datum) {
     table += fmt::format("origin of the field frame: lat {:.7f}, lon {:.7f} (WGS84)\n",
                          r.datum->lat_deg, r.datum->lon_deg);
   }
   table += fmt::format(
-      "last cell {:.2f} min, planned {:.2f}, no plan below {:.2f}; returns by {}: "
+      "last {} {:.2f} min, planned {:.2f}, no plan below {:.2f}; returns by {}: "
       "{}\n",
-      r.fleet.makespan_s / 60, r.fleet.planned_makespan_s / 60, r.fleet.lower_bound_s / 60,
-      r.solver.returns, distance_to_bound(r.solver));
+      r.survey ? "visit" : "cell", r.fleet.makespan_s / 60, r.fleet.planned_makespan_s / 60,
+      r.fleet.lower_bound_s / 60, r.solver.returns, distance_to_bound(r.solver));
   for (const ExpectationFigures& e : r.expectations) {
     if (!e.met) table += cut("missed: " + e.message);
   }
@@ -91,7 +99,7 @@ std::string ProgressBar::draw(std::uint32_t sprayed_cells, double mission_s, dou
   const auto full = static_cast<std::size_t>(share * width);
   const double times_real = wall_s > 0 ? mission_s / wall_s : 0;
   // Erased to the end of the line, so that a shorter line leaves nothing of a longer one.
-  return fmt::format("\r[{}{}] {:5.1f} % sprayed  {:.1f} min  {:.0f} x real time\x1b[K",
+  return fmt::format("\r[{}{}] {:5.1f} % done  {:.1f} min  {:.0f} x real time\x1b[K",
                      std::string(full, '#'), std::string(width - full, '.'), 100 * share,
                      mission_s / 60, times_real);
 }

@@ -3,6 +3,8 @@
 #include "planner/coverage/swath/swath.hpp"
 #include "scheduler/orders.hpp"
 
+#include <algorithm>
+
 namespace furrow::app {
 namespace {
 
@@ -25,6 +27,20 @@ class SortieTrack {
     whole_.push_back(point.position);
     if (is_open_ && begin_ == none) begin_ = whole_.size() - 1;
     if (was_open || is_open_) end_ = whole_.size();
+  }
+
+  /// Of a survey, where the valve stays closed: from the place nearest to `first` to that nearest
+  /// to `last`.
+  void work_between(FieldPoint first, FieldPoint last) {
+    if (whole_.empty()) return;
+    const auto nearest = [&](auto from, FieldPoint to) {
+      return std::min_element(from, whole_.end(), [&](FieldPoint a, FieldPoint b) {
+        return distance(a, to) < distance(b, to);
+      });
+    };
+    const auto begin = nearest(whole_.begin(), first);
+    begin_ = static_cast<std::size_t>(begin - whole_.begin());
+    end_ = static_cast<std::size_t>(nearest(begin, last) - whole_.begin()) + 1;
   }
 
   void end(MissionWays& ways) {
@@ -64,19 +80,25 @@ MissionWays planned_ways(const MissionRecord& record) {
   return ways;
 }
 
-MissionWays flown_ways(const Flown& flown) {
+MissionWays flown_ways(const Flown& flown, bool is_survey) {
   MissionWays ways;
   for (const FlownUav& uav : flown.uavs) {
     auto sortie = uav.sorties.begin();
     SortieTrack track;
+    const auto end = [&] {
+      if (is_survey && sortie != uav.sorties.end()) {
+        track.work_between(sortie->resumed_at, sortie->returned_at);
+      }
+      track.end(ways);
+    };
     for (const TrackPoint& point : uav.track) {
       while (sortie != uav.sorties.end() && sortie->landed < point.at) {
-        track.end(ways);
+        end();
         ++sortie;
       }
       track.add(point);
     }
-    track.end(ways);
+    end();
   }
   return ways;
 }

@@ -24,7 +24,8 @@ struct MissionWays {
 MissionWays planned_ways(const MissionRecord& record);
 
 /// As flown, by the true tracks. A sortie without a report counts until its track ends.
-MissionWays flown_ways(const Flown& flown);
+/// @param is_survey  At work is then from the first visit to the last.
+MissionWays flown_ways(const Flown& flown, bool is_survey = false);
 
 double length_m(const std::vector<Way>& ways);
 

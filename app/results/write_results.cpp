@@ -33,6 +33,11 @@ std::optional<WriteError> write(const fs::path& path, const std::string& content
   return {};
 }
 
+std::optional<Length> survey_height(const MissionRecord& record) {
+  const auto& survey = record.scenario.survey;
+  return survey ? std::optional{survey->height} : std::nullopt;
+}
+
 void remove(const std::vector<fs::path>& paths) {
   std::error_code ignored;  // they are leftovers of an error that is reported already
   for (const fs::path& path : paths) fs::remove(path, ignored);
@@ -52,7 +57,8 @@ Expected<std::vector<fs::path>, WriteError> write_results(const fs::path& dir,
   const std::pair<const char*, std::string> files[] = {
       {"result.json", result_json(result)},
       {"plan.geojson", plan_geojson(record)},
-      {"missions.json", missions_json({record.scenario.datum, sortie_tracks(record.plan)})},
+      {"missions.json",
+       missions_json({record.scenario.datum, sortie_tracks(record.plan, survey_height(record))})},
       {"events.jsonl", events_jsonl(record.log)},
       {"sorties.csv", sorties_csv(result)},
       {"report.html", report_html(record, result)}};

@@ -32,7 +32,8 @@ Strip end_strip(CellRange cells, FieldPoint begin, FieldPoint end,
           .begin = begin,
           .end = end,
           .continues = false,
-          .approach = std::move(approach)};
+          .approach = std::move(approach),
+          .approach_altitudes_m = {}};
 }
 
 Route end_to_end_route(Length cell, std::vector<Strip> strips) {
@@ -76,7 +77,8 @@ FieldPoint resume_point(const Route& route, std::uint32_t cell) {
   const std::size_t s = strip_of(route, cell);
   const Strip& strip = route.strips[s];
   const bool is_last = cell + 1 == end(strip.cells) && s + 1 < route.strips.size();
-  if (is_last && sprays_ends(strip) && !route.strips[s + 1].continues) {
+  const bool is_left = sprays_ends(strip) || is_survey(route);
+  if (is_last && is_left && !route.strips[s + 1].continues) {
     return route.strips[s + 1].begin;
   }
   return stop_point(route, strip, cell);
@@ -129,7 +131,7 @@ std::vector<CellStop> cell_stops(const Route& route, CellRange cells) {
       const bool is_ferried = is_reached && !strip.continues;
       const double approach_m =
           is_ferried ? approach_length(route.strips[s - 1], strip).base() : 0.0;
-      if (is_ferried && sprays_ends(route.strips[s - 1])) {
+      if (is_ferried && (sprays_ends(route.strips[s - 1]) || is_survey(route))) {
         stops.back().resume = strip.begin;
         stops.back().skipped_m = approach_m;
       }

@@ -23,11 +23,13 @@ struct Strip {
   bool continues;
   /// Way points of that ferry between the end of the strip before and `begin`; none: straight.
   std::vector<FieldPoint> approach{};
+  /// Of these, above the datum [m]; none: as high as strips are flown.
+  std::vector<double> approach_altitudes_m{};
 };
 
 /// A strip that is sprayed from centre to centre of its cells.
 inline Strip centre_strip(CellRange cells, FieldPoint from, FieldPoint to, bool continues) {
-  return {cells, from, to, from, to, continues, {}};
+  return {cells, from, to, from, to, continues, {}, {}};
 }
 
 /// A strip of `cells` that is sprayed from end to end, reached with the valve closed.
@@ -43,12 +45,15 @@ inline bool sprays_ends(const Strip& strip) {
 /// The order in which a field is covered: where every coverage model ends and all further planning
 /// starts.
 struct Route {
-  Length cell;                      ///< Nominal side of a cell: the swath.
+  Length cell;                      ///< Nominal side of a cell: the swath; 0 on a survey.
   std::vector<FieldPoint> centers;  ///< N cells in the order flown, N >= 1.
   std::vector<Strip> strips;        ///< Contiguous, in order; together all N cells.
   std::vector<FieldPoint> missed;   ///< Centres of workable cells that the route leaves out.
   FerryMap ferries{};               ///< The ways between stations and strips.
 };
+
+/// Whether the strips are places to visit, each with one cell of no length: nothing is sprayed.
+inline bool is_survey(const Route& route) { return route.cell == Length{}; }
 
 /// A route along `strips`, cells and centres filled in: each strip is divided into as many equal
 /// cells as come closest to `cell`.
@@ -65,8 +70,8 @@ FieldPoint stop_point(const Route& route, const Strip& strip, std::uint32_t cell
 /// Where spraying of `cell` begins if the cell before was sprayed on another sortie.
 FieldPoint start_point(const Route& route, const Strip& strip, std::uint32_t cell);
 
-/// Where spraying goes on after a return that followed `cell`: at the beginning of the next strip
-/// if the cell ended a strip that is sprayed from end to end, else where it stopped.
+/// Where work goes on after a return that followed `cell`: at the beginning of the next strip if
+/// the cell ended a strip that is sprayed from end to end, or a visit, else where it stopped.
 FieldPoint resume_point(const Route& route, std::uint32_t cell);
 
 /// Length sprayed per cell: the nominal one from centre to centre, else that of the strip.

@@ -103,7 +103,8 @@ std::optional<PlanError> infeasibility(const ReturnProblem& problem) {
           fmt::format("UAV {}: cell {} from station {} and back takes {:.1f} s of flight, a pack "
                       "lasts for {:.1f} s",
                       number(problem.vehicle.id), cell(i), number(problem.station.id),
-                      pack_s(problem, least), usable_endurance(problem.vehicle).base()),
+                      pack_s(problem, least),
+                      usable_endurance(problem.vehicle).base() - problem.kept_s),
           problem.station.position};
     }
   }

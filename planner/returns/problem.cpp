@@ -1,5 +1,7 @@
 #include "planner/returns/problem.hpp"
 
+#include "planner/survey/turns.hpp"
+
 namespace furrow::planner {
 namespace {
 
@@ -10,13 +12,10 @@ class HillRoute {
       : relief_{*route.ferries.relief()}, vehicle_{problem.vehicle}, at_{begin} {}
 
   void fly(FieldPoint to, Speed speed) {
-    if (to == at_) return;
-    const FlightCost cost = relief_.cost(at_, relief_.contour(at_, to, speed));
-    time_s_ += cost.time_s;
-    climb_s_ += cost.energy_s - cost.time_s;
-    at_ = to;
+    if (!(to == at_)) add(to, relief_.contour(at_, to, speed));
   }
   void approach(const Strip& strip) {
+    if (!strip.approach_altitudes_m.empty()) return add(strip.begin, air_approach(strip));
     for (const FieldPoint at : strip.approach) fly(at, vehicle_.ferry_speed);
     fly(strip.begin, vehicle_.ferry_speed);
   }
@@ -24,6 +23,17 @@ class HillRoute {
   double climb_s() const { return climb_s_; }
 
  private:
+  void add(FieldPoint to, const AirWay& way) {
+    const FlightCost cost = relief_.cost(at_, way);
+    time_s_ += cost.time_s;
+    climb_s_ += cost.energy_s - cost.time_s;
+    at_ = to;
+  }
+  AirWay air_approach(const Strip& strip) const {
+    const auto way = relief_.way_at(at_, strip.approach, strip.approach_altitudes_m, strip.begin);
+    return relief_.straight(way, vehicle_.ferry_speed);
+  }
+
   const Relief& relief_;
   const Vehicle& vehicle_;
   FieldPoint at_;
@@ -77,6 +87,53 @@ void add_hills(ReturnProblem& problem, const Route& route, const std::vector<Cel
     hills.resume_late_s[k] = problem.resume_s[k] - level_resume_s[k];
   }
   problem.resume_s[0] = hills.resume_late_s[0] = hills.resume_climb_s[0] = 0.0;
+}
+
+// Of level land: none is longer than it is.
+HillFlights level_flights(const ReturnProblem& problem) {
+  HillFlights level{};
+  const std::size_t n = problem.spray_m.size();
+  for (std::uint32_t i = 0; i < n; ++i) {
+    level.back.push_back({problem.back_s(i), problem.back_s(i)});
+    level.out.push_back({problem.out_s(i), problem.out_s(i)});
+  }
+  for (auto* sums : {&level.late_s, &level.resume_late_s, &level.climb_s, &level.resume_climb_s}) {
+    sums->assign(n, 0.0);
+  }
+  return level;
+}
+
+// What turning at and between visits, and flying from rest to rest, takes of packs. Strips are so
+// long that it is lost in them; ways between visits are not.
+void add_turns(ReturnProblem& problem, const Route& route, const std::vector<CellStop>& stops) {
+  if (!problem.hills) problem.hills = level_flights(problem);
+  HillFlights& hills = *problem.hills;
+  const Vehicle& v = problem.vehicle;
+  const FieldPoint station = problem.station.position;
+  const double rest_s = rest_loss_s(v);
+  problem.kept_s = 6 * rest_s + 2;  // as aircraft judge whether they reach home
+  FieldPoint before = v.home;
+  double lost_s = 0;
+  for (std::size_t k = 0; k < stops.size(); ++k) {
+    if (k > 0) {
+      FieldPoint at = stops[k - 1].stop;
+      Corner corner = Corner::cut;
+      const auto fly = [&](FieldPoint to) {
+        lost_s += turn_loss_s(before, at, to, corner, v);
+        before = at;
+        at = to;
+        corner = Corner::held;
+      };
+      for (const FieldPoint to : route.strips[problem.cells.first + k].approach) fly(to);
+      fly(stops[k].stop);
+      hills.resume_climb_s[k - 1] += lost_s;
+    }
+    hills.climb_s[k] += lost_s;
+    hills.back[k].energy_s += rest_s + turn_loss_s(before, stops[k].stop, station, Corner::cut, v);
+    hills.out[k].energy_s += rest_s;
+  }
+  hills.resume_climb_s.back() = hills.climb_s.back();
+  hills.resume_climb_s[0] = 0.0;
 }
 
 }  // namespace
@@ -135,6 +192,7 @@ ReturnProblem return_problem(const Route& route, CellRange cells, const Vehicle&
   problem.out_m.back() = problem.back_m.back();
   problem.resume_m[0] = problem.resume_s[0] = 0.0;
   problem.out_m[0] = problem.fly_out_m;
+  if (is_survey(route)) add_turns(problem, route, stops);
   return problem;
 }
 

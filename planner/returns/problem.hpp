@@ -14,7 +14,8 @@
 
 namespace furrow::planner {
 
-/// What ground that is not level makes of the flights of a return problem. Entries as there.
+/// What ground that is not level makes of the flights of a return problem. Entries as there. On a
+/// survey what corners and starts take of a pack counts as climb, over level land too.
 struct HillFlights {
   std::vector<FlightCost> back, out;            ///< Ferries; out[0] is the way to the beginning.
   std::vector<double> late_s, resume_late_s;    ///< On the route so far, beyond level flight.
@@ -40,7 +41,12 @@ struct ReturnProblem {
   std::vector<double> out_m;       ///< Ferry way from the station to resume i; [0]: fly_out_m.
   double fly_out_m;                ///< From the aircraft's first position to the beginning.
   std::vector<std::uint32_t> strip_starts;  ///< First cells of strips, rising; [0] = 0.
-  std::optional<HillFlights> hills{};       ///< None on level land. The lengths are in plan.
+  std::optional<HillFlights> hills{};       ///< None on level land to spray. In plan are
+                                            ///< the lengths.
+
+  /// Of a pack, left for aircraft that turn for home in time to brake first [s]. 0 but on a survey,
+  /// whose aircraft are at full speed wherever they are.
+  double kept_s = 0;
 
   /// Flying times of ferries, from stop i and to resume i.
   double back_s(std::uint32_t i) const {

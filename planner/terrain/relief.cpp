@@ -58,6 +58,29 @@ AirWay Relief::contour(FieldPoint from, FieldPoint to, Speed speed) const {
   return way;
 }
 
+std::vector<WayPoint> Relief::way_at(FieldPoint from, std::span<const FieldPoint> between,
+                                     std::span<const double> altitudes_m, FieldPoint to) const {
+  require(between.size() == altitudes_m.size(), "each place on a way has its height");
+  const auto place = [](FieldPoint p, double z_m) { return WayPoint{p.x.base(), p.y.base(), z_m}; };
+  std::vector<WayPoint> way{place(from, work_altitude_m(from))};
+  for (std::size_t i = 0; i < between.size(); ++i) {
+    way.push_back(place(between[i], altitudes_m[i]));
+  }
+  way.push_back(place(to, work_altitude_m(to)));
+  return way;
+}
+
+AirWay Relief::straight(std::span<const WayPoint> way, Speed speed) const {
+  require(way.size() >= 2, "a way has two ends");
+  AirWay made{way.front().z_m, {}};
+  for (std::size_t k = 1; k < way.size(); ++k) {
+    const double run_m = std::hypot(way[k].x_m - way[k - 1].x_m, way[k].y_m - way[k - 1].y_m);
+    const double limit = limit_mps(run_m, way[k].z_m - way[k - 1].z_m, speed.base());
+    made.legs.push_back({at_m(way[k].x_m, way[k].y_m), limit, way[k].z_m, true});
+  }
+  return made;
+}
+
 AirWay Relief::ferry(std::span<const WayPoint> way, Speed speed, Length layer) const {
   require(way.size() >= 2, "a ferry has two ends");
   double left_m = 0;

@@ -63,6 +63,16 @@ class Relief {
   /// than an aircraft climbs or descends. Pieces of equal length, of at most `pitch_m`.
   AirWay contour(FieldPoint from, FieldPoint to, Speed speed) const;
 
+  /// A way over `between` at the heights given for it, from work height to work height.
+  /// @pre as many heights as places
+  std::vector<WayPoint> way_at(FieldPoint from, std::span<const FieldPoint> between,
+                               std::span<const double> altitudes_m, FieldPoint to) const;
+
+  /// Straight from place to place at their heights: slower than `speed` where that climbs or
+  /// descends faster than an aircraft may.
+  /// @param way  From where it starts to where it ends, two or more, none above another.
+  AirWay straight(std::span<const WayPoint> way, Speed speed) const;
+
   /// A ferry along `way`, from work height to work height. It climbs out and comes down as steeply
   /// as `speed` allows, keeps `layer` above the way in between, and is never under work height.
   /// @param way  From where it starts to where it ends, two or more.

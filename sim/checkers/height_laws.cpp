@@ -12,7 +12,9 @@ constexpr double slope_kept = 0.9;   // of what climb and descent allow: arcs ar
 
 class HeightLaws final : public Checker {
  public:
-  explicit HeightLaws(const Facts& facts) : relief_{facts.plan.route.ferries.relief()} {
+  explicit HeightLaws(const Facts& facts)
+      : relief_{facts.plan.route.ferries.relief()},
+        is_survey_{planner::is_survey(facts.plan.route)} {
     for (const auto& uav : facts.plan.uavs) speeds_[uav.vehicle.id] = uav.vehicle.ferry_speed;
   }
 
@@ -42,8 +44,9 @@ class HeightLaws final : public Checker {
                                        sortie.returned_at, track.back().position};
     for (const TrackPoint& p : track) {
       const bool is_ferry = p.at < begins || p.at > sortie.spray_ended;
-      const double kept_m =
-          is_ferry ? ferry_m(p.position, ends, ferry) : relief_->work_altitude_m(p.position);
+      const double kept_m = is_survey_ ? survey_m(p.position)
+                            : is_ferry ? ferry_m(p.position, ends, ferry)
+                                       : relief_->work_altitude_m(p.position);
       if (p.altitude_m >= kept_m - tolerance_m) continue;
       return report("L23", p.at,
                     fmt::format("{} flew at {:.1f} m over ({:.1f}, {:.1f}) m, {:.1f} m is the "
@@ -51,6 +54,11 @@ class HeightLaws final : public Checker {
                                 text(node(sortie.agent)), p.altitude_m, p.position.x.base(),
                                 p.position.y.base(), kept_m));
     }
+  }
+
+  double survey_m(FieldPoint p) const {
+    const planner::HeightRule& rule = relief_->rule();
+    return (relief_->surface().height(p) + std::min(rule.clearance, rule.spray_height)).base();
   }
 
   double ferry_m(FieldPoint p, const std::vector<FieldPoint>& ends, Speed ferry) const {
@@ -64,6 +72,7 @@ class HeightLaws final : public Checker {
   }
 
   const planner::Relief* relief_;
+  bool is_survey_;
   std::map<AgentId, Speed> speeds_;
   std::map<AgentId, std::vector<TrackPoint>> tracks_;
 };

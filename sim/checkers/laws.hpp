@@ -17,7 +17,8 @@
 //              around, by the plan or once they appear, less the bias of the aircraft's fixes
 //          L23 over terrain, flown tracks are never more than 1 m below work height; and on ways
 //              from and to stations never more than 1 m below the clearance, but near their ends,
-//              where they climb out and come down
+//              where they climb out and come down; on a survey never more than 1 m below the
+//              clearance, or the survey's height where that is less
 // Senders  L21 nobody unknown is spoken of: the other laws go on without what such messages say
 // Log      L17 every sender's log is complete and in order, so equal runs have equal digests
 

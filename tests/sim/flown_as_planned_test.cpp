@@ -158,5 +158,54 @@ TEST_CASE("flown as planned: over terraces of an elevation raster", "[sim]") {
   for (const Violation& v : broken) FAIL(v.law << ": " << v.detail);
 }
 
+// Least distance of a flown track from `p`, in plan.
+double passed_within_m(const Log& log, FieldPoint p) {
+  Length least = metres(1e9);
+  for (const Envelope& e : log.envelopes) {
+    const auto* record = std::get_if<FlightRecord>(&e.body);
+    if (record == nullptr) continue;
+    for (std::size_t i = 1; i < record->track.size(); ++i) {
+      const FieldPoint a = record->track[i - 1].position, b = record->track[i].position;
+      const FieldVector way = b - a, off = p - a;
+      const double squares = (way.x * way.x + way.y * way.y).base();
+      const double along = squares > 0 ? (way.x * off.x + way.y * off.y).base() / squares : 0;
+      const double t = std::clamp(along, 0.0, 1.0);
+      least = std::min(least, distance(p, a + FieldVector{t * way.x, t * way.y}));
+    }
+  }
+  return least.base();
+}
+
+TEST_CASE("flown as planned: a survey visits its way points over hills and sprays nothing",
+          "[sim]") {
+  const mission::Scenario valley = scenario("survey_valley");
+  const auto plan = scheduler::plan_fleet(mission::fleet_problem(valley));
+  REQUIRE(plan);
+  const Log log = flown(valley, *plan);
+  REQUIRE(log.finished);
+  CHECK(makespan_s(log) / plan->makespan_s == Approx(1.0).margin(0.02));
+  double planned = 0, used = 0;
+  std::size_t visits = 0;
+  for (const auto& uav : plan->uavs) {
+    for (const auto& sortie : uav.solution.plan.sorties) planned += sortie.battery_used;
+  }
+  for (const Envelope& e : log.envelopes) {
+    if (const auto* sortie = std::get_if<SortieReport>(&e.body)) {
+      used += sortie->battery_used;
+      CHECK(sortie->sprayed == Length{});
+    }
+    if (const auto* record = std::get_if<FlightRecord>(&e.body)) {
+      visits += record->cells.count;
+      for (const TrackPoint& p : record->track) CHECK_FALSE(p.spraying);
+    }
+  }
+  CHECK(used / planned == Approx(1.0).margin(0.02));
+  CHECK(visits == valley.survey->way_points.size());
+  // Corners are cut by half a swath, 2 m, at most.
+  for (const FieldPoint p : valley.survey->way_points) CHECK(passed_within_m(log, p) < 2.1);
+  const auto broken = violations(facts_of(valley, *plan), log.envelopes, log.ended);
+  for (const Violation& v : broken) FAIL(v.law << ": " << v.detail);
+}
+
 }  // namespace
 }  // namespace furrow::sim

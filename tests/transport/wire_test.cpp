@@ -62,7 +62,8 @@ std::vector<Envelope> samples() {
                     .from = at_m(3, 4),
                     .to = at_m(5, 6),
                     .exit = at_m(7, 8),
-                    .approach = {at_m(9, 10), at_m(11, 12)}};
+                    .approach = {at_m(9, 10), at_m(11, 12)},
+                    .approach_altitudes_m = {13, 14}};
   return {from(agent, AgentInfo{.agent = AgentId{7}, .boot = BootId{3}, .vehicle = vehicle()}),
           from(agent, AgentState{.agent = AgentId{7},
                                  .boot = BootId{3},

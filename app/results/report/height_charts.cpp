@@ -101,7 +101,7 @@ std::string chart(const planner::Relief& relief, const FlownUav& uav, std::uint3
   svg.path({frame.line(stops, &Stop::flown_m)}, false, {.stroke = colour, .width = 1.6});
   svg.text({left, 15},
            fmt::format("UAV {}, sortie 1: height above the datum, m; least {:.1f} m above the "
-                       "ground; dashed: the clearance of ferries, {:g} m",
+                       "ground; dashed: the clearance of ways, {:g} m",
                        id, least_m, relief.rule().clearance.base()),
            {.size = 12, .fill = ink, .bold = true});
   return svg.markup();

@@ -30,6 +30,7 @@ class Panels {
     for (std::size_t i = 0; i < uavs().size(); ++i) {
       svg.path(strips(i), false,
                {.stroke = colours_[i], .width = line_width(0.62), .opacity = 0.9});
+      draw_visits(svg, i);
     }
     draw_cells(svg, route_.missed, alarm);
     for (std::size_t i = 0; i < uavs().size(); ++i) draw_returns(svg, i);
@@ -42,13 +43,14 @@ class Panels {
     Svg svg = land_panel(view_, record_.scenario, "Flown");
     for (std::size_t i = 0; i < uavs().size(); ++i) {
       svg.path(strips(i), false, {.stroke = "#a9a48f", .width = 0.6});
+      draw_visits(svg, i);
     }
     for (const bool spraying : {false, true}) {
       for (std::size_t i = 0; i < flown_.uavs.size(); ++i) {
         svg.path(track(flown_.uavs[i].track, spraying), false,
-                 {.stroke = spraying ? colours_[i] : "#4a4a44",
+                 {.stroke = spraying || planner::is_survey(route_) ? colours_[i] : "#4a4a44",
                   .width = spraying ? line_width(0.42) : 0.6,
-                  .opacity = spraying ? 1 : 0.55});
+                  .opacity = spraying || planner::is_survey(route_) ? 1 : 0.55});
       }
     }
     for (std::size_t i = 0; i < result_.uavs.size(); ++i) draw_landings(svg, i);
@@ -95,6 +97,26 @@ class Panels {
       chains.push_back({{a.x - dx, a.y - dy}, {b.x + dx, b.y + dy}});
     }
     return chains;
+  }
+
+  // Of a survey: its way points, and the ways between them.
+  void draw_visits(Svg& svg, std::size_t uav) const {
+    if (!planner::is_survey(route_)) return;
+    const CellRange share = uavs()[uav].strips;
+    Chains ways;
+    for (std::uint32_t i = share.first + 1; i < end(share); ++i) {
+      std::vector<FieldPoint> way{route_.strips[i - 1].end};
+      way.insert(way.end(), route_.strips[i].approach.begin(), route_.strips[i].approach.end());
+      way.push_back(route_.strips[i].begin);
+      ways.push_back(pixels(view_, way));
+    }
+    svg.path(ways, false, {.stroke = colours_[uav], .width = 1.2, .opacity = 0.6});
+    for (std::uint32_t i = share.first; i < end(share); ++i) {
+      const FieldPoint at = route_.strips[i].begin;
+      svg.circle(
+          view_.at(at), 3.4, {.fill = colours_[uav], .stroke = ink, .width = 0.8},
+          fmt::format("way point {} at ({:.1f}, {:.1f}) m", i + 1, at.x.base(), at.y.base()));
+    }
   }
 
   FieldPoint stop_after(std::uint32_t cell) const {
@@ -287,7 +309,16 @@ std::string key(std::string_view colour, std::string_view words, std::string_vie
                      escaped(words));
 }
 
+std::string survey_legend(const Result& result, const Colours& colours) {
+  std::string items;
+  for (std::size_t i = 0; i < result.uavs.size(); ++i) {
+    items += key(colours[i], fmt::format("UAV {}: way points, ways", result.uavs[i].id));
+  }
+  return "<ul class=\"legend\">" + items + key(ink, "supply station") + "</ul>";
+}
+
 std::string legend(const Result& result, const Colours& colours, bool is_flown) {
+  if (result.survey) return survey_legend(result, colours);
   std::string items;
   for (std::size_t i = 0; i < result.uavs.size(); ++i) {
     items += key(colours[i], fmt::format("UAV {}", result.uavs[i].id));
@@ -311,7 +342,8 @@ std::string map_figure(const MissionRecord& record, const Flown& flown, const Re
   const Panels panels{record, flown, result, colours};
   const bool is_flown = record.mode != Mode::plan;
   std::string figure = "<div class=\"maps\">" + panels.planned();
-  if (is_flown) figure += panels.tracks() + panels.accuracy();
+  if (is_flown) figure += panels.tracks();
+  if (is_flown && !result.survey) figure += panels.accuracy();
   return figure + "</div>" + legend(result, colours, is_flown);
 }
 

@@ -70,7 +70,9 @@ std::string report_html(const MissionRecord& record, const Result& result) {
   page += section("What was covered", coverage_table(result));
   page += section("Who did what when", gantt_figure(log, result, colours));
   page += section("The plan against the optimum", optimum_table(result) + uav_table(result));
-  page += section("Off the line", deviation_table(result) + deviation_charts(record, log, colours));
+  if (!result.survey)
+    page +=
+        section("Off the line", deviation_table(result) + deviation_charts(record, log, colours));
   page += section("Worth reading", event_table(record));
   page += section("Stations and batteries",
                   "<div class=\"two\">" + titled("Stations", station_table(result)) +

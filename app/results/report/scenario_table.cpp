@@ -63,6 +63,11 @@ std::string scenario_table(const MissionRecord& record) {
     table.row({"Area stated by its file", fmt::format("{:.4f} ha; its land has {:+.2f} %",
                                                       *s.stated_area / hectares(1), 100 * off)});
   }
+  if (s.survey) {
+    table.row({"Survey", fmt::format("{} way points, {:g} m above the ground; ways by {}",
+                                     s.survey->way_points.size(), s.survey->height.base(),
+                                     planner::name(s.survey->search.planner))});
+  }
   add_vehicles(table, s.uavs);
   for (const Station& station : s.stations) {
     table.row({fmt::format("Station {}", number(station.id)),

@@ -21,7 +21,10 @@ Square square_of(FieldPoint p, double side_m) {
           static_cast<int>(std::floor(p.y.base() / side_m))};
 }
 
-double lattice_side_m(const planner::Route& route) { return 1.5 * route.cell.base(); }
+// On a survey, aircraft are neighbours where they visit the same hectare.
+double lattice_side_m(const planner::Route& route) {
+  return planner::is_survey(route) ? 100 : 1.5 * route.cell.base();
+}
 
 template <class Visit>
 void around(Square s, Visit visit) {

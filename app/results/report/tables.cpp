@@ -43,7 +43,32 @@ std::string gsa_alone(const SolverFigures& s) {
 
 }  // namespace
 
+namespace {
+
+std::string survey_headline(const Result& r) {
+  const bool is_flown = r.mode != Mode::plan;
+  const SurveyFigures& s = *r.survey;
+  std::string cards = "<div class=\"cards\">";
+  cards +=
+      card(is_flown ? "Visited" : "To visit", fmt::format("{}", s.visited),
+           fmt::format("of {} way points", s.way_points), s.visited < s.way_points ? "bad" : "");
+  cards += card("Last visit", minutes(r.fleet.makespan_s) + " min", makespan_note(r));
+  cards += card("Flown between visits", fmt::format("{:.2f} km", r.fleet.route_m / 1000),
+                fmt::format("{} battery swaps", r.solver.swaps));
+  cards += card("Aircraft", fmt::format("{}", r.uavs.size()),
+                minutes(r.fleet.queue_wait_s) + " min waiting for a bay");
+  if (is_flown) {
+    cards +=
+        card("Laws broken", fmt::format("{}", r.violations.size()),
+             fmt::format("in {} messages", r.log.messages), r.violations.empty() ? "good" : "bad");
+  }
+  return cards + "</div>";
+}
+
+}  // namespace
+
 std::string headline(const Result& r) {
+  if (r.survey) return survey_headline(r);
   const double workable_m2 = r.coverage.covered_m2 + r.coverage.missed_m2;
   const double covered = workable_m2 > 0 ? r.coverage.covered_m2 / workable_m2 : 0;
   const bool is_flown = r.mode != Mode::plan;
@@ -126,7 +151,7 @@ std::string optimum_table(const Result& r) {
   table.row(
       {"Non-spray time, min", minutes2(s.non_spray_s), minutes2(s.lower_bound_s), percent(s.gap)},
       "total");
-  if (s.until_empty_s) {
+  if (s.until_empty_s && *s.until_empty_s > 0) {
     table.row({"The same until empty, min", minutes2(*s.until_empty_s), "",
                fmt::format("{:+.2f} %", 100 * (s.non_spray_s / *s.until_empty_s - 1))});
   }

@@ -200,7 +200,7 @@ TEST_CASE("terminal: the progress bar is drawn ten times a second and on termina
   ProgressBar bar{200, true};
   CHECK(bar.clear().empty());
   const std::string drawn = bar.draw(50, 120.0, 2.0);
-  CHECK(drawn.find(" 25.0 % sprayed  2.0 min  60 x real time") != std::string::npos);
+  CHECK(drawn.find(" 25.0 % done  2.0 min  60 x real time") != std::string::npos);
   CHECK(bar.draw(51, 121.0, 2.05).empty());
   CHECK_FALSE(bar.draw(51, 121.0, 2.11).empty());
   CHECK_FALSE(bar.clear().empty());

@@ -1,0 +1,169 @@
+#include "planner/survey/survey.hpp"
+
+#include "core/random.hpp"
+#include "core/require.hpp"
+#include "planner/routes/route_cost.hpp"
+#include "planner/survey/tour.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace furrow::planner {
+namespace {
+
+constexpr double spare_m = 0.5;    // kept over the clearance: ways are drawn by few points
+constexpr double drawn_m = 0.25;   // how far these may be off the curve
+constexpr double headroom_m = 60;  // over the highest ferry where there is no ceiling
+
+FieldPoint place(WayPoint p) { return at_m(p.x_m, p.y_m); }
+
+// Off the straight line from `a` to `b`.
+double distance_m(WayPoint p, WayPoint a, WayPoint b) {
+  const double x = b.x_m - a.x_m, y = b.y_m - a.y_m, z = b.z_m - a.z_m;
+  const double along = (p.x_m - a.x_m) * x + (p.y_m - a.y_m) * y + (p.z_m - a.z_m) * z;
+  const double squares = x * x + y * y + z * z;
+  const double t = squares > 0 ? std::clamp(along / squares, 0.0, 1.0) : 0.0;
+  return planner::distance_m(p, between(a, b, t));
+}
+
+// The points of `line` between its ends that keep it within `drawn_m`; at least one.
+// Source: Ramer 1972, Computer Graphics and Image Processing 1(3), 244-256.
+void keep(std::span<const WayPoint> line, std::vector<WayPoint>& kept) {
+  std::size_t furthest = 0;
+  double most_m = drawn_m;
+  for (std::size_t i = 1; i + 1 < line.size(); ++i) {
+    const double off_m = distance_m(line[i], line.front(), line.back());
+    if (off_m <= most_m) continue;
+    most_m = off_m;
+    furthest = i;
+  }
+  if (furthest == 0) return;
+  keep(line.first(furthest + 1), kept);
+  kept.push_back(line[furthest]);
+  keep(line.subspan(furthest), kept);
+}
+
+std::vector<WayPoint> drawn(std::span<const WayPoint> line) {
+  std::vector<WayPoint> kept;
+  keep(line, kept);
+  if (kept.empty()) kept.push_back(line[line.size() / 2]);
+  return kept;
+}
+
+// From one way point to the next, its ends left out.
+struct Leg {
+  std::vector<FieldPoint> places;
+  std::vector<double> altitudes_m;  // none: work height
+};
+
+class Legs {
+ public:
+  Legs(const SurveySettings& survey, const SurveyRule& rule, const FerryMap& ferries)
+      : survey_{survey},
+        rule_{rule},
+        ferries_{ferries},
+        box_{rule.field.boundary.front(), rule.field.boundary.front()} {
+    for (const FieldPoint corner : rule.field.boundary) cover(box_, corner);
+  }
+
+  Leg leg(FieldPoint from, FieldPoint to, std::uint64_t number) const {
+    if (const Relief* relief = ferries_.relief()) {
+      const HeightRule& heights = relief->rule();
+      const double vertical_mps = std::min(heights.climb, heights.descent).base();
+      const double level = vertical_mps / rule_.speed.base();
+      for (const double steepest : {level, level / heights.slowest}) {
+        auto found = searched(*relief, from, to, steepest, number);
+        if (!found.places.empty()) return found;
+      }
+    }
+    std::vector<FieldPoint> way = ferries_.way(from, to);
+    return {{way.begin() + 1, way.end() - 1}, {}};
+  }
+
+ private:
+  Scene scene(const Relief& relief, FieldPoint from, FieldPoint to) const {
+    const auto over = [&](FieldPoint p) {
+      return WayPoint{p.x.base(), p.y.base(), relief.work_altitude_m(p)};
+    };
+    const std::vector<float>& ground = relief.surface().raster().heights_m;
+    const double high_m = relief.rule().ceiling ? relief.rule().ceiling->base()
+                                                : relief.highest_ferry_m() + headroom_m;
+    const Length kept = std::min(relief.rule().clearance + metres(spare_m),
+                                 relief.rule().spray_height - relief.surface().error());
+    Scene made{.surface = relief.surface(),
+               .low = {box_.south_west.x.base(), box_.south_west.y.base(),
+                       *std::min_element(ground.begin(), ground.end())},
+               .high = {box_.north_east.x.base(), box_.north_east.y.base(), high_m},
+               .keep_out = relief.keep_out(),
+               .clearance_m = std::max(0.0, kept.base()),
+               .start = over(from),
+               .goal = over(to),
+               .least_turn_radius_m = rule_.turn_radius.base()};
+    for (const Obstacle& o : rule_.field.obstacles) {
+      made.keep_out.push_back(
+          {.x_m = o.center.x.base(), .y_m = o.center.y.base(), .radius_m = o.radius.base()});
+    }
+    for (KeepOut& volume : made.keep_out) volume.radius_m += rule_.apart.base();
+    return made;
+  }
+
+  // Empty where none is found that stays on the land.
+  Leg searched(const Relief& relief, FieldPoint from, FieldPoint to, double steepest,
+               std::uint64_t number) const {
+    Scene air = scene(relief, from, to);
+    air.steepest_climb = steepest;
+    RouteSettings settings = survey_.search;
+    settings.seed = seed_for(settings.seed, {number});
+    const auto route = plan_route(air, settings);
+    if (!route) return {};
+    const std::vector<WayPoint> line = drawn(flown(air, route->genes));
+    Leg leg;
+    FieldPoint at = from;
+    for (const WayPoint p : line) {
+      if (leaves_land(at, place(p))) return {};
+      at = place(p);
+      leg.places.push_back(at);
+      leg.altitudes_m.push_back(p.z_m);
+    }
+    return leaves_land(at, to) ? Leg{} : leg;
+  }
+
+  bool leaves_land(FieldPoint from, FieldPoint to) const {
+    constexpr double rounding_m = 1e-6;
+    if (!contains(rule_.field.boundary, to)) return true;
+    return (ferries_.length(from, to) - distance(from, to)).base() > rounding_m;
+  }
+
+  const SurveySettings& survey_;
+  const SurveyRule& rule_;
+  const FerryMap& ferries_;
+  Extent box_;
+};
+
+}  // namespace
+
+Route survey_route(const SurveySettings& survey, const SurveyRule& rule, const FerryMap& ferries,
+                   FieldPoint from) {
+  require(!survey.way_points.empty(), "a survey has a way point");
+  const auto count = static_cast<std::uint32_t>(survey.way_points.size());
+  const auto at = [&](std::uint32_t i) { return i == 0 ? from : survey.way_points[i - 1]; };
+  const auto order = tour(count + 1, [&](std::uint32_t i, std::uint32_t j) {
+    return ferries.length(at(i), at(j)).base();
+  });
+  Route route{.cell = {}, .centers = {}, .strips = {}, .missed = {}, .ferries = ferries};
+  const Legs legs{survey, rule, ferries};
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const FieldPoint to = at(order[i + 1]);
+    Strip visit = centre_strip({i, 1}, to, to, false);
+    if (i > 0) {
+      Leg leg = legs.leg(route.centers.back(), to, i);
+      visit.approach = std::move(leg.places);
+      visit.approach_altitudes_m = std::move(leg.altitudes_m);
+    }
+    route.centers.push_back(to);
+    route.strips.push_back(std::move(visit));
+  }
+  return route;
+}
+
+}  // namespace furrow::planner
