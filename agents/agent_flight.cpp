@@ -310,7 +310,7 @@ void AgentNode::go_home() {
 void AgentNode::follow(SortieRoute route) {
   if (route_) flown_m_ += aircraft_.pilot().pace().along_m();
   route_ = std::move(route);
-  laid_from_m_ = aircraft_.estimate_m();
+  laid_from_m_ = route_->path.segments().front().from;  // the estimate moves at take-off
   aircraft_.follow(route_->path);
   route_piece_ = 0;
   route_cell_ = 0;

@@ -78,6 +78,15 @@ TEST_CASE("agent: flies around a tree that it sees, valve open, every cell once"
   }
 }
 
+TEST_CASE("agent: flies around it without a stop although its fixes are noisy", "[agents]") {
+  AgentSettings noisy = with(tree(1.5, 100, 20));
+  noisy.vehicle.gnss.sigma = metres(0.02);
+  const auto log = fly(noisy, two_strips(), mission_start + 600 * second);
+  CHECK(count(log, "obstacle_seen") == 1);
+  CHECK(count(log, "obstacle_near") == 0);
+  CHECK(cells_sprayed(log) == 200);
+}
+
 TEST_CASE("agent: says what it saw until an order names it", "[agents]") {
   // This scheduler never does: it is told with every heartbeat.
   const auto log = fly(with(tree(1.5, 100, 20)), two_strips(), mission_start + 120 * second);
