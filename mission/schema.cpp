@@ -359,11 +359,9 @@ void read_faults(const Section& root, Draft& draft) {
                 .kind = kind,
                 .target = is_of_station ? node(static_cast<StationId>(target))
                                         : node(static_cast<AgentId>(target))};
-    if (is_of_station) {
-      fault.bay = static_cast<std::uint32_t>(s.optional_whole("bay", 1, 100, "all").value_or(0));
-    } else {
-      s.refuse("bay", "must be left out where the kind is not bay_down");
-    }
+    const auto bay = s.optional_whole("bay", 1, 100, "all");
+    fault.bay = static_cast<std::uint32_t>(bay.value_or(0));
+    if (bay && !is_of_station) s.fail("bay", "must be left out where the kind is not bay_down");
     found.emplace_back(fault, s);
   }
   std::stable_sort(found.begin(), found.end(),

@@ -67,7 +67,7 @@ BENCHMARK(thousand_hectares)->UseRealTime()->Unit(benchmark::kMillisecond);
 
 void direction_search(benchmark::State& state) {
   const auto land = field_land(bent_field(380), Length{}, Length{});
-  const PlanRule rule{2, 0, {}, std::nullopt};
+  const PlanRule rule{2, 2, 0, {}, std::nullopt};
   for (auto _ : state) benchmark::DoNotOptimize(ranked_directions(land->flight, rule, 3));
 }
 BENCHMARK(direction_search)->Unit(benchmark::kMillisecond);
