@@ -137,8 +137,10 @@ AvoidedStrip strip_around(const FieldOptions& field, std::size_t p, const Select
 void set_areas(AvoidanceFigures& figures, const FieldOptions& field, const Room& room,
                const std::vector<FootprintM>& flown, double backswept_m2) {
   const WrongArea area = area_of(field.straight(), room.circles(), flown);
+  const WrongArea without = area_of(field.straight(), room.circles(), field.straight());
   figures.missed = square_metres(area.missed_m2);
-  figures.repeated = square_metres(area.repeated_m2 + backswept_m2);
+  figures.repeated =
+      square_metres(std::max(0.0, area.repeated_m2 - without.repeated_m2) + backswept_m2);
 }
 
 AvoidancePlan classic_plan(const FieldOptions& field, const Room& room, AvoidanceFigures figures) {

@@ -41,8 +41,9 @@ struct AvoidanceFigures {
   std::size_t targets = 0;  ///< Obstacles that straight strips cross, counted for each strip.
   std::size_t crowds = 0;   ///< Groups of them that are passed together; of these:
   std::size_t detours = 0, closed = 0, apart = 0;
-  Length straight{}, extra{};    ///< Of all strips; of all ways around.
-  Area missed{}, repeated{};     ///< By union of footprints, outside obstacle circles.
+  Length straight{}, extra{};  ///< Of all strips; of all ways around.
+  /// By union of footprints, outside obstacle circles; repeated beyond what straight strips repeat.
+  Area missed{}, repeated{};
   double fitness = 0;            ///< As searched, with the areas of the search.
   bool exact = false;            ///< Whether no selection of the same options is fitter.
   std::uint32_t iterations = 0;  ///< Generations for the whole field.

@@ -81,6 +81,16 @@ TEST_CASE("the record tells what half circles would have missed and repeated") {
   CHECK_FALSE(cover(field, metres(6), ending)->sweep->avoidance);
 }
 
+TEST_CASE("what rows overlap by on purpose is not what detours repeat") {
+  SwathSettings overlapping = settings_around();
+  overlapping.row_overlap = metres(1);
+  const auto around = cover(orchard(), metres(6), overlapping);
+  REQUIRE(around);
+  const double straight_m = around->sweep->sprayed.base();
+  CHECK(around->sweep->areas.repeated.base() > 0.5 * 1 * straight_m);
+  CHECK(around->sweep->avoidance->planned.repeated.base() < 0.1 * 1 * straight_m);
+}
+
 TEST_CASE("aircraft with a turn radius join strips by turns inside the field or say otherwise") {
   SwathSettings settings = settings_around();
   settings.avoidance->dubins_turns = true;
