@@ -69,7 +69,8 @@ LowerBound bay_count_bound(const FleetProblem& problem) {
 }
 
 LowerBound best_bound(const FleetProblem& problem, const BayBoundSettings& bays) {
-  constexpr double cell_m = 0.25;
+  constexpr double finest_m = 0.25, most_cells = 200'000;
+  const double cell_m = std::max(finest_m, problem.path.length_m() / most_cells);
   const auto weaker = [](const LowerBound& a, const LowerBound& b) {
     return a.makespan_s < b.makespan_s;
   };

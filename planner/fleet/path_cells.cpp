@@ -1,6 +1,8 @@
 #include "planner/fleet/path_cells.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace furrow::planner::fleet {
 
@@ -17,6 +19,20 @@ PathCells::PathCells(const StripPath& path, double cell_m) {
     ends_m_.push_back(path.begin_m(s + 1));
     strips_.resize(ends_m_.size() - 1, s);
   }
+}
+
+std::vector<FieldPoint> places_to_leave(const FleetProblem& problem) {
+  std::vector<std::pair<double, double>> all;
+  all.reserve(problem.depots.size() + problem.fliers.size());
+  const auto add = [&](FieldPoint p) { all.emplace_back(p.x.base(), p.y.base()); };
+  for (const Depot& d : problem.depots) add(d.position);
+  for (const Flier& f : problem.fliers) add(f.start);
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  std::vector<FieldPoint> places;
+  places.reserve(all.size());
+  for (const auto& [x_m, y_m] : all) places.push_back(at_m(x_m, y_m));
+  return places;
 }
 
 }  // namespace furrow::planner::fleet

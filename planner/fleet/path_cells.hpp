@@ -24,4 +24,7 @@ class PathCells {
   std::vector<std::uint32_t> strips_;
 };
 
+/// Where aircraft leave from, at depots and at starts, each place once.
+std::vector<FieldPoint> places_to_leave(const FleetProblem& problem);
+
 }  // namespace furrow::planner::fleet

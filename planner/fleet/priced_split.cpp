@@ -26,15 +26,13 @@ Fastest fastest(const FleetProblem& problem) {
   return best;
 }
 
-/// Nearest place to leave from, or depot to land at, metres.
-double out_m(const FleetProblem& problem, double at_m) {
+/// Of the nearest of `places`, metres.
+double out_m(const StripPath& path, const std::vector<FieldPoint>& places, double at_m) {
   double least_m = infinite;
-  for (const Depot& d : problem.depots)
-    least_m = std::min(least_m, problem.path.out_m(d.position, at_m));
-  for (const Flier& f : problem.fliers)
-    least_m = std::min(least_m, problem.path.out_m(f.start, at_m));
+  for (const FieldPoint p : places) least_m = std::min(least_m, path.out_m(p, at_m));
   return least_m;
 }
+/// Of the nearest depot, metres.
 /// @param after  Of spraying on just after `at_m` instead of up to it.
 double back_m(const FleetProblem& problem, double at_m, bool after) {
   double least_m = infinite;
@@ -73,6 +71,7 @@ void PricedSplit::tabulate(const FleetProblem& problem, double cell_m) {
   const PathCells cells{problem.path, cell_m};
   const Fastest best = fastest(problem);
   const StripPath& path = problem.path;
+  const std::vector<FieldPoint> places = places_to_leave(problem);
   const double length_m = path.length_m();
   const std::size_t n = cells.size();
   leaves_s_.resize(n + 1);
@@ -82,7 +81,7 @@ void PricedSplit::tabulate(const FleetProblem& problem, double cell_m) {
     const double at_m = i == 0 ? 0.0 : cells.end_m(i - 1);
     const double hops_m = i == n ? path.hops_m(0.0, length_m)
                                  : path.hops_m(0.0, length_m) - path.hops_m(at_m, length_m);
-    leaves_s_[i] = at_m / best.spray_mps + (hops_m - out_m(problem, at_m)) / best.ferry_mps;
+    leaves_s_[i] = at_m / best.spray_mps + (hops_m - out_m(path, places, at_m)) / best.ferry_mps;
     if (i > 0) leaves_s_[i] = std::max(leaves_s_[i], leaves_s_[i - 1]);
   }
   std::uint32_t k = 0;

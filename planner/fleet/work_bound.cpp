@@ -32,10 +32,9 @@ Measure measure(const FleetProblem& problem) {
 /// Of the ways there are, metres.
 class Ways {
  public:
-  explicit Ways(const FleetProblem& problem) : path_{problem.path} {
+  explicit Ways(const FleetProblem& problem)
+      : path_{problem.path}, starts_{places_to_leave(problem)} {
     for (const Depot& d : problem.depots) homes_.push_back(d.position);
-    starts_ = homes_;
-    for (const Flier& f : problem.fliers) starts_.push_back(f.start);
   }
 
   double out_m(double at_m) const {
