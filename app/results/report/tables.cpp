@@ -65,6 +65,9 @@ std::string survey_headline(const Result& r) {
   return cards + "</div>";
 }
 
+// Beyond the plan, of what is workable, before a report sets it off.
+constexpr double may_miss_share = 0.001, may_repeat_share = 0.01;
+
 }  // namespace
 
 std::string headline(const Result& r) {
@@ -76,9 +79,12 @@ std::string headline(const Result& r) {
   cards += card(is_flown ? "Sprayed" : "To spray", area(r.coverage.covered_m2),
                 fmt::format("{} of what is workable; {:.1f} L at {:.1f} L/ha", percent(covered),
                             r.fleet.sprayed_l, r.fleet.rate_l_ha));
-  cards += card("Missed", area(r.coverage.missed_m2),
-                area(r.coverage.unrouted_m2) + " of it in the plan",
-                r.coverage.missed_m2 > r.coverage.unrouted_m2 ? "bad" : "");
+  const double planned_missed_m2 =
+      r.sweep ? std::max(r.coverage.unrouted_m2, r.sweep->areas.missed.base())
+              : r.coverage.unrouted_m2;
+  cards +=
+      card("Missed", area(r.coverage.missed_m2), area(planned_missed_m2) + " in the plan",
+           r.coverage.missed_m2 > planned_missed_m2 + may_miss_share * workable_m2 ? "bad" : "");
   cards += card("Last cell sprayed", minutes(r.fleet.makespan_s) + " min", makespan_note(r));
   cards += card("Not spraying", minutes(r.fleet.non_spray_s) + " min",
                 minutes(r.fleet.queue_wait_s) + " min of it waiting for a bay");
@@ -87,10 +93,13 @@ std::string headline(const Result& r) {
   if (is_flown) {
     cards += card("Off the line", centimetres(r.deviation.truth.rms_m) + " cm",
                   "RMS; " + centimetres(r.deviation.truth.max_m) + " cm at most");
-    cards += card("Sprayed twice", area(r.coverage.repeated_m2),
-                  fmt::format("{:.1f} L; {} ({:.1f} L) outside the field", r.fleet.repeated_l,
-                              area(r.coverage.outside_m2), r.fleet.outside_l),
-                  r.coverage.repeated_m2 > 0 ? "bad" : "");
+    const double planned_twice_m2 = r.sweep ? r.sweep->areas.repeated.base() : 0;
+    cards += card(
+        "Sprayed twice", area(r.coverage.repeated_m2),
+        fmt::format("{} in the plan; {:.1f} L; {} ({:.1f} L) outside the field",
+                    area(planned_twice_m2), r.fleet.repeated_l, area(r.coverage.outside_m2),
+                    r.fleet.outside_l),
+        r.coverage.repeated_m2 > planned_twice_m2 + may_repeat_share * workable_m2 ? "bad" : "");
     cards +=
         card("Laws broken", fmt::format("{}", r.violations.size()),
              fmt::format("in {} messages", r.log.messages), r.violations.empty() ? "good" : "bad");
