@@ -1,6 +1,7 @@
 #include "scheduler/scheduler_node.hpp"
 
 #include "core/require.hpp"
+#include "scheduler/events.hpp"
 #include "scheduler/orders.hpp"
 #include "scheduler/remnant.hpp"
 
@@ -12,29 +13,12 @@
 namespace furrow::scheduler {
 namespace {
 
-constexpr std::uint32_t most_losses = 3;  // on one strip, until nobody is sent there again
 constexpr Duration resend_after = std::chrono::seconds{2};
 constexpr Duration state_period = std::chrono::seconds{2};
-
-Event event(std::string_view kind, std::string detail) {
-  return {std::string{kind}, std::move(detail)};
-}
-
-std::string text(CellRange cells) {
-  return "cells " + std::to_string(cells.first) + " to " + std::to_string(end(cells) - 1) + " (" +
-         std::to_string(cells.count) + ")";
-}
-
-std::string text(AgentId agent) { return furrow::text(node(agent)); }
 
 CellRange whole(const Ledger& ledger) {
   const CellCounts& n = ledger.counts();
   return {0, n.open + n.granted + n.sprayed + n.abandoned + n.uncertain};
-}
-
-/// Over the field, where what it works on may be the end of it.
-bool is_at_work(Phase phase) {
-  return phase == Phase::fly_out || phase == Phase::spray || phase == Phase::hold;
 }
 
 std::string text(const SeenObstacle& o) {
@@ -191,17 +175,6 @@ void SchedulerNode::hear(const ObstacleSeen& seen, Instant now, Outbox& out) {
   }
 }
 
-/// Takes cells that an obstacle blocks out of the list; what lies behind them is a piece of its
-/// own.
-void SchedulerNode::cut_blocked(Member& m, std::uint32_t first, Outbox& out) {
-  const auto blocked =
-      furrow::scheduler::cut_blocked(settings_.plan.route, m.sorties, first, obstacles_);
-  if (!blocked) return;
-  abandon(*blocked, "an obstacle stands there, with no room for a detour", out);
-  m.pieces = pieces(m.sorties);
-  revise(m);
-}
-
 /// Ends the gathering once every agent is heard of or lost.
 void SchedulerNode::gather(Instant now, Outbox& out) {
   if (phase_ != MissionPhase::gathering) return;
@@ -236,22 +209,6 @@ void SchedulerNode::check_limit(Instant now, Outbox& out) {
   phase_ = MissionPhase::finished;
 }
 
-/// Its windows become uncertain, the rest of its list is to be shared out.
-void SchedulerNode::lose(Member& m, std::string_view why, Outbox& out) {
-  out.messages.push_back(event("agent_lost", text(m.agent) + ": " + std::string{why}));
-  const auto windows = ledger_.windows(m.agent);
-  std::vector<CellRange> open = open_cells(m);
-  if (is_at_work(m.phase) && !(windows.empty() && open.empty())) {
-    const CellRange at_hand = windows.empty() ? open.front() : windows.front().cells;
-    ++losses_[planner::strip_of(settings_.plan.route, at_hand.first)];
-  }
-  forsake(m, "agent_lost", out);
-  orphans_.insert(orphans_.end(), open.begin(), open.end());
-  m.lost = true;
-  m.sorties.clear();
-  m.pieces.clear();
-}
-
 void SchedulerNode::forsake(const Member& m, std::string_view why, Outbox& out) {
   for (const CellRange cells : ledger_.forsake(m.agent)) {
     out.messages.push_back(
@@ -265,180 +222,6 @@ void SchedulerNode::abandon(CellRange cells, std::string_view why, Outbox& out) 
   }
 }
 
-/// The open cells of its list, in the list's order.
-std::vector<CellRange> SchedulerNode::open_cells(const Member& m) const {
-  std::vector<CellRange> open;
-  for (const Piece& piece : m.pieces) {
-    CellRange rest = piece.cells;
-    while (const auto run = ledger_.first_open(rest)) {
-      open.push_back(*run);
-      rest = {end(*run), end(rest) - end(*run)};
-    }
-  }
-  return open;
-}
-
-/// Gives the work of lost agents to the others.
-void SchedulerNode::share_out(Instant now, Outbox& out) {
-  if (phase_ != MissionPhase::flying || orphans_.empty()) return;
-  spare_the_fleet(out);
-  const std::vector<CellRange> orphans = joined(std::exchange(orphans_, {}));
-  std::vector<Member*> able;
-  std::vector<Survivor> survivors;
-  for (Member& m : members_) {
-    if (!can_take_more(m, now)) continue;
-    able.push_back(&m);
-    survivors.push_back(survivor(m, now));
-  }
-  Takeover shared = take_over(settings_.plan.route, orphans, survivors);
-  for (std::size_t i = 0; i < able.size(); ++i)
-    extend(*able[i], std::move(shared.additions[i]), out);
-  const std::string_view why =
-      able.empty() ? "no aircraft is left" : "out of reach of every aircraft that is left";
-  for (const CellRange cells : shared.nobodys) abandon(cells, why, out);
-}
-
-bool SchedulerNode::can_take_more(const Member& m, Instant now) const {
-  const bool is_heard = m.boot && now - m.last_heard < settings_.agent_lease;
-  return is_heard && !m.lost && m.phase != Phase::offline;
-}
-
-/// Gives those who came late a share of what is left.
-void SchedulerNode::welcome(Instant now, Outbox& out) {
-  if (phase_ != MissionPhase::flying) return;
-  bool is_new = false;
-  for (Member& m : members_) {
-    if (!m.joins || !m.boot) continue;
-    m.joins = false;
-    is_new = true;
-    out.messages.push_back(event("agent_joined", text(m.agent) + " is there"));
-  }
-  if (is_new) share_anew(now, out);
-}
-
-/// Cuts what nobody has begun anew for all, where that ends the mission earlier.
-void SchedulerNode::share_anew(Instant now, Outbox& out) {
-  for (Member& m : members_) {
-    if (can_take_more(m, now)) release(m);  // so that what comes next counts as begun
-  }
-  std::vector<Member> revised = members_;  // the old lists stay where they are as good
-  std::vector<std::size_t> who;
-  std::vector<Survivor> survivors;
-  std::vector<CellRange> unbegun;
-  double done_before_s = 0.0, done_after_s = 0.0;
-  for (std::size_t i = 0; i < revised.size(); ++i) {
-    if (!can_take_more(revised[i], now)) continue;
-    done_before_s = std::max(done_before_s, done_s(revised[i], now));
-    const std::vector<CellRange> back = take_back(revised[i], now);
-    unbegun.insert(unbegun.end(), back.begin(), back.end());
-    who.push_back(i);
-    survivors.push_back(survivor(revised[i], now));
-  }
-  if (unbegun.empty()) return;
-  Takeover shared = take_over(settings_.plan.route, joined(std::move(unbegun)), survivors);
-  for (std::size_t i = 0; i < who.size(); ++i) {
-    const Addition& added = shared.additions[i];
-    const double kept_s = done_s(revised[who[i]], now);
-    done_after_s = std::max(done_after_s, added.sorties.empty() ? kept_s : added.lands_s);
-  }
-  if (!shared.nobodys.empty() || done_after_s >= done_before_s) return;
-  members_ = std::move(revised);
-  for (std::size_t i = 0; i < who.size(); ++i) {
-    extend(members_[who[i]], std::move(shared.additions[i]), out);
-  }
-}
-
-/// Takes the sorties off the end of its list of which nothing is granted or sprayed.
-std::vector<CellRange> SchedulerNode::take_back(Member& m, Instant now) {
-  const auto is_open = [&](const Piece& p) { return ledger_.first_open(p.cells) == p.cells; };
-  const auto is_unbegun = [&](const SortieOrder& sortie) {
-    return std::all_of(sortie.pieces.begin(), sortie.pieces.end(), is_open);
-  };
-  const std::uint32_t left_before = cells_left(m);
-  std::vector<CellRange> back;
-  while (!m.sorties.empty() && is_unbegun(m.sorties.back())) {
-    for (const Piece& piece : m.sorties.back().pieces) back.push_back(piece.cells);
-    m.sorties.pop_back();
-  }
-  if (back.empty()) return back;
-  m.pieces = pieces(m.sorties);
-  const double now_s = seconds(now.time_since_epoch()).base();
-  const double share = static_cast<double>(cells_left(m)) / left_before;
-  if (m.lands_s > now_s) m.lands_s = now_s + share * (m.lands_s - now_s);
-  revise(m);
-  return back;
-}
-
-/// Gives up what is left of strips at which too many were lost.
-void SchedulerNode::spare_the_fleet(Outbox& out) {
-  std::vector<CellRange> left;
-  for (CellRange rest : orphans_) {
-    while (rest.count > 0) {
-      const std::size_t s = planner::strip_of(settings_.plan.route, rest.first);
-      const std::uint32_t stop = std::min(end(rest), end(settings_.plan.route.strips[s].cells));
-      const CellRange part{rest.first, stop - rest.first};
-      rest = {stop, end(rest) - stop};
-      if (losses_[s] < most_losses) {
-        left.push_back(part);
-      } else {
-        abandon(part, std::to_string(losses_[s]) + " aircraft were lost on this strip", out);
-      }
-    }
-  }
-  orphans_ = std::move(left);
-}
-
-std::uint32_t SchedulerNode::cells_left(const Member& m) const {
-  std::uint32_t left = 0;
-  for (const CellRange open : open_cells(m)) left += open.count;
-  for (const GrantWindow& window : ledger_.windows(m.agent)) left += window.cells.count;
-  return left;
-}
-
-/// When it is done with its list, as forecast, or as what is left takes at least.
-double SchedulerNode::done_s(const Member& m, Instant now) const {
-  const double now_s = seconds(now.time_since_epoch()).base();
-  const std::uint32_t left = cells_left(m);
-  if (left == 0) return now_s;
-  const Seconds least =
-      (static_cast<double>(left) * settings_.plan.route.cell) / m.vehicle.spray_speed;
-  return std::max(m.lands_s, now_s + least.base());
-}
-
-/// Done with its list, and served.
-Survivor SchedulerNode::survivor(const Member& m, Instant now) const {
-  Survivor s{.vehicle = m.vehicle,
-             .station = m.station,
-             .ready_s = seconds(now.time_since_epoch()).base()};
-  if (m.pieces.empty()) return s;
-  s.vehicle.home = m.station.position;
-  s.ready_s = done_s(m, now) + service_time(m.station, true, 1.0).base();
-  return s;
-}
-
-void SchedulerNode::extend(Member& m, Addition added, Outbox& out) {
-  if (added.sorties.empty()) return;
-  std::uint32_t cells = 0;
-  for (Piece& piece : pieces(added.sorties)) {
-    cells += piece.cells.count;
-    m.pieces.push_back(std::move(piece));
-  }
-  out.messages.push_back(event(
-      "work_taken_over", text(m.agent) + " takes over " + std::to_string(cells) + " cells in " +
-                             std::to_string(added.sorties.size()) + " sorties"));
-  std::move(added.sorties.begin(), added.sorties.end(), std::back_inserter(m.sorties));
-  m.lands_s = added.lands_s;
-  revise(m);
-}
-
-/// Its command has changed.
-void SchedulerNode::revise(Member& m) {
-  if (m.commanded_at) ++m.revision;
-  m.accepted = false;
-  m.commanded_at.reset();
-}
-
-/// Sends the agent what it lacks.
 void SchedulerNode::direct(Member& m, Instant now, Outbox& out) {
   if (m.lost) return;
   if (!m.accepted) {

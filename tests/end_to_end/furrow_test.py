@@ -173,52 +173,38 @@ class Deaths(Furrow):
         result = json.loads((self.out("run") / "result.json").read_text())
         self.assertLessEqual(result["faults"][0]["noticed_s"], 100 + 3 + 2)  # lease and heartbeat
 
-    def test_work_of_a_lost_agent_is_taken_over_by_sim_and_run_alike(self):
+    def flown_alike(self, scenario, said=""):
+        """Flies a scenario by sim and by run to the same result and events; gives both."""
         for command in ("sim", "run"):
-            done = furrow(command, ROOT / "scenarios/lost_agent.yaml", "--out", self.out(command))
+            done = furrow(command, ROOT / "scenarios" / scenario, "--out", self.out(command))
             self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertIn(said, done.stderr)
         self.assertEqual(without_timing(self.out("sim")), without_timing(self.out("run")))
         events = (self.out("run") / "events.jsonl").read_bytes()
         self.assertEqual((self.out("sim") / "events.jsonl").read_bytes(), events)
+        return json.loads((self.out("run") / "result.json").read_text()), events
+
+    def test_work_of_a_lost_agent_is_taken_over_by_sim_and_run_alike(self):
+        _, events = self.flown_alike("lost_agent.yaml")
         self.assertIn(b"work_taken_over", events)
 
     def test_who_joins_late_is_given_a_share_by_sim_and_run_alike(self):
-        for command in ("sim", "run"):
-            done = furrow(command, ROOT / "scenarios/late_joiner.yaml", "--out", self.out(command))
-            self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertEqual(without_timing(self.out("sim")), without_timing(self.out("run")))
-        events = (self.out("run") / "events.jsonl").read_bytes()
-        self.assertEqual((self.out("sim") / "events.jsonl").read_bytes(), events)
-        result = json.loads((self.out("run") / "result.json").read_text())
+        result, _ = self.flown_alike("late_joiner.yaml")
         self.assertGreater(len(result["uavs"][3]["sorties"]), 0)
         self.assertLessEqual(result["faults"][0]["noticed_s"], 601)
 
     def test_a_tree_that_no_map_shows_is_flown_around_by_sim_and_run_alike(self):
-        for command in ("sim", "run"):
-            done = furrow(command, ROOT / "scenarios/surprise_tree.yaml", "--out", self.out(command))
-            self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertEqual(without_timing(self.out("sim")), without_timing(self.out("run")))
-        events = (self.out("run") / "events.jsonl").read_bytes()
-        self.assertEqual((self.out("sim") / "events.jsonl").read_bytes(), events)
+        _, events = self.flown_alike("surprise_tree.yaml")
         self.assertIn(b"obstacle_planned", events)
 
     def test_what_an_empty_station_leaves_is_done_from_another_by_sim_and_run_alike(self):
-        for command in ("sim", "run"):
-            done = furrow(command, ROOT / "scenarios/empty_stock.yaml", "--out", self.out(command))
-            self.assertEqual(done.returncode, 0, done.stderr)
-            self.assertIn("station 1 has no mix for it", done.stderr)
-        self.assertEqual(without_timing(self.out("sim")), without_timing(self.out("run")))
-        stations = json.loads((self.out("run") / "result.json").read_text())["stations"]
-        self.assertGreater(stations[0]["filled_l"], 24.5)
-        self.assertLessEqual(stations[0]["filled_l"], 25)
+        result, _ = self.flown_alike("empty_stock.yaml", "station 1 has no mix for it")
+        self.assertGreater(result["stations"][0]["filled_l"], 24.5)
+        self.assertLessEqual(result["stations"][0]["filled_l"], 25)
 
     def test_aircraft_of_a_station_that_fails_go_to_another_by_sim_and_run_alike(self):
-        for command in ("sim", "run"):
-            done = furrow(command, ROOT / "scenarios/station_down.yaml", "--out", self.out(command))
-            self.assertEqual(done.returncode, 0, done.stderr)
-            self.assertIn("at 600.0 s: station 1 shuts bay 1, 0 of 1 are left", done.stderr)
-        self.assertEqual(without_timing(self.out("sim")), without_timing(self.out("run")))
-        result = json.loads((self.out("run") / "result.json").read_text())
+        result, _ = self.flown_alike("station_down.yaml",
+                                     "at 600.0 s: station 1 shuts bay 1, 0 of 1 are left")
         self.assertEqual(result["faults"][0]["noticed_s"], 600)
         self.assertNotIn(True, [uav["lost"] for uav in result["uavs"]])
 

@@ -198,6 +198,7 @@ Noticed kill_one_freeze_one() {
 
 // A machine that stands still takes the time of leases without giving it to those who renew them.
 // An attempt that fails counts only where the machine ran: nobody waited for a quarter of a lease.
+// Under load the second agent is now and then lost with the first without any such wait.
 TEST_CASE("survival: an agent's process that is killed or frozen is noticed within its lease",
           "[transport]") {
   constexpr int most_attempts = 5;
