@@ -28,7 +28,7 @@ CONFINED = {
     r"#include <(cpl|ogr|gdal|proj)[_.a-z]*\.h": {"exchange"},
     r"#include <nlohmann/": {"app", "exchange"},
     r"#include <spdlog/": {"transport", "app"},
-    r"std::async|#include <future>": {"transport", "app", "planner/coverage/swath/finish.cpp"},
+    r"std::async|#include <future>": {"transport", "app", "planner/at_once.hpp"},
     r"steady_clock|system_clock|random_device|getenv|std::thread|std::mutex": {"transport", "app"},
 }
 

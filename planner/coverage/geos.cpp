@@ -180,14 +180,20 @@ LandParts subtracted(const LandParts& land, const LandParts& taken) {
 
 LandParts offset(const LandParts& land, double distance_m) {
   if (land.empty() || distance_m == 0) return land;
-  constexpr int segments_per_quarter = 8;  // unused by mitred corners
+  constexpr int segments_per_quarter = 8;
   constexpr double mitre_limit = 10.0;     // sharper corners than 12 degrees are cut off
   const Session geos;
   const auto shape = geos.polygons(land);
-  return geos.parts_of(geos.owned(GEOSBufferWithStyle_r(geos.context(), shape.get(), distance_m,
-                                                        segments_per_quarter, GEOSBUF_CAP_FLAT,
-                                                        GEOSBUF_JOIN_MITRE, mitre_limit))
-                           .get());
+  const auto with = [&](int join) {
+    return geos.owned(GEOSBufferWithStyle_r(geos.context(), shape.get(), distance_m,
+                                            segments_per_quarter, GEOSBUF_CAP_FLAT, join,
+                                            mitre_limit));
+  };
+  // GEOS 3.11 loses a hole now and then where a neck is nearly nothing wide. The outcome is then
+  // invalid, and that of round corners has proved right.
+  auto made = with(GEOSBUF_JOIN_MITRE);
+  if (made && GEOSisValid_r(geos.context(), made.get()) != 1) made = with(GEOSBUF_JOIN_ROUND);
+  return geos.parts_of(made.get());
 }
 
 LandParts widened(const PathM& path, double half_width_m) {

@@ -1,13 +1,13 @@
 #include "planner/coverage/swath/finish.hpp"
 
 #include "core/require.hpp"
+#include "planner/at_once.hpp"
 #include "planner/coverage/geos.hpp"
 #include "planner/coverage/swath/joints.hpp"
 #include "planner/coverage/swath/ragged_edges.hpp"
 #include "planner/ferry/bends.hpp"
 
 #include <algorithm>
-#include <future>
 
 namespace furrow::planner {
 namespace {
@@ -80,14 +80,11 @@ PartPlan cheapest_finished(std::vector<PartPlan> plans, const LandPart& flight,
   // Nothing that is finished in `stay_inside` costs more than before.
   const bool adds = rule.settings.edges == EdgeMode::cover_all;
   plans.resize(std::min(plans.size(), adds ? most_finished : 1));
-  std::vector<std::future<EdgeStrips>> more;
-  more.reserve(plans.size());
-  for (const PartPlan& plan : plans) {
-    more.push_back(std::async([&] { return missed_edges(plan, flight, land, rule); }));
-  }
+  const auto more = at_once(
+      plans.size(), [&](std::size_t i) { return missed_edges(plans[i], flight, land, rule); });
   std::size_t best = 0;
   for (std::size_t i = 0; i < plans.size(); ++i) {
-    finish(plans[i], more[i].get(), flight, land, paths, rule);
+    finish(plans[i], more[i], flight, land, paths, rule);
     if (cost_m(plans[i], rule) < cost_m(plans[best], rule)) best = i;
   }
   return std::move(plans[best]);

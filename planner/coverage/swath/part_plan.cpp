@@ -1,5 +1,6 @@
 #include "planner/coverage/swath/part_plan.hpp"
 
+#include "planner/at_once.hpp"
 #include "planner/coverage/swath/cells.hpp"
 
 #include <algorithm>
@@ -10,6 +11,7 @@ namespace furrow::planner {
 namespace {
 
 constexpr int searched_degrees = 180;
+constexpr std::size_t per_batch = 24;    // directions ranked by one thread
 constexpr std::size_t most_edges = 8;    // whose directions are tried
 constexpr std::size_t most_planned = 3;  // directions planned in full
 constexpr std::size_t most_cut = 4;      // directions along which cells are cut
@@ -61,6 +63,26 @@ double coarse_cost_m(const LandPart& piece, RowFrame frame, const PlanRule& rule
   const double left_out_m2 = missed_m2(piece, sprayed_m, rows.dropped_m2, rule);
   return rows_cost_m(rows, rule) + missing_cost_m(left_out_m2, rule) + ends_m / 2 +
          std::min<double>(static_cast<double>(leaps), chords) * rule.swath_m;
+}
+
+// Of rows along each direction on all pieces.
+std::vector<double> coarse_costs_m(const LandParts& pieces, const std::vector<RowDirection>& tried,
+                                   const PlanRule& rule) {
+  const auto batch = [&](std::size_t b) {
+    std::vector<double> costs;
+    costs.reserve(per_batch);
+    for (std::size_t i = b * per_batch; i < std::min(tried.size(), (b + 1) * per_batch); ++i) {
+      double cost = 0;
+      for (const LandPart& piece : pieces) cost += coarse_cost_m(piece, tried[i].frame, rule);
+      costs.push_back(tried[i].along_edge ? cost : across_edges * cost);
+    }
+    return costs;
+  };
+  std::vector<double> all;
+  for (const auto& costs : at_once((tried.size() + per_batch - 1) / per_batch, batch)) {
+    all.insert(all.end(), costs.begin(), costs.end());
+  }
+  return all;
 }
 
 PointM end_of(const Sweep& rows, const Chord& chord, bool high) {
@@ -170,12 +192,10 @@ std::vector<RowDirection> ranked_directions(const LandParts& pieces, const PlanR
     const double angle = degree * std::numbers::pi / 180;
     tried.push_back({{std::cos(angle), std::sin(angle)}, false});
   }
+  const std::vector<double> costs = coarse_costs_m(pieces, tried, rule);
   std::vector<std::pair<double, RowDirection>> ranked;
-  for (const RowDirection direction : tried) {
-    double cost = 0;
-    for (const LandPart& piece : pieces) cost += coarse_cost_m(piece, direction.frame, rule);
-    ranked.push_back({direction.along_edge ? cost : across_edges * cost, direction});
-  }
+  ranked.reserve(tried.size());
+  for (std::size_t i = 0; i < tried.size(); ++i) ranked.push_back({costs[i], tried[i]});
   std::stable_sort(ranked.begin(), ranked.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<RowDirection> best;

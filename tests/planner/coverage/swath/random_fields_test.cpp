@@ -119,8 +119,9 @@ TEST_CASE("random fields that were once left, oversprayed or miscounted stay rig
   // 50: bends of a headland round were not counted as sprayed; 112: ground between rounds was left
   // out; 726: a turn with the valve open sprayed outside; 5511, 8658: a joined corner left ground
   // out; 6857, 9131: a small part got no strips; 1837, 7853, 8722: small places were left between
-  // rounds; 6169: a bay was taken for a cell.
-  for (const std::uint64_t seed : {50, 112, 726, 1837, 5511, 6169, 6857, 7853, 8658, 8722, 9131}) {
+  // rounds; 6169: a bay was taken for a cell; 771: an inset was invalid.
+  for (const std::uint64_t seed :
+       {50, 112, 726, 771, 1837, 5511, 6169, 6857, 7853, 8658, 8722, 9131}) {
     check_seeds(seed, 1);
   }
 }
