@@ -44,9 +44,9 @@ void AgentNode::keep_height() {
 
 void AgentNode::note_place(Instant t) {
   if (t == on_grid(t, whole_second)) {
-    log_.point(t, aircraft_.truth_m(), aircraft_.altitude_m(), is_valve_open_);
+    log_.point(t, aircraft_.truth_m(), aircraft_.altitude_m(), is_valve_open_, open_width());
   } else {
-    log_.pass(t, aircraft_.truth_m(), aircraft_.altitude_m(), is_valve_open_);
+    log_.pass(t, aircraft_.truth_m(), aircraft_.altitude_m(), is_valve_open_, open_width());
   }
 }
 
@@ -149,7 +149,12 @@ void AgentNode::move_valve(bool open, Instant t, double share_of_period) {
   const double left = 1.0 - share_of_period;
   const Xy now_m = aircraft_.truth_m();
   log_.point(t - duration(seconds(left * control_period_s)),
-             now_m + left * (truth_before_m_ - now_m), aircraft_.altitude_m(), open);
+             now_m + left * (truth_before_m_ - now_m), aircraft_.altitude_m(), open, open_width());
+}
+
+Length AgentNode::open_width() const {
+  const bool works = is_valve_open_ && route_ && route_piece_ < route_->pieces.size();
+  return works ? route_->pieces[route_piece_].piece.width : Length{};
 }
 
 // Sprayed is what lies within half a swath of the line: beyond it the mix falls on other strips.

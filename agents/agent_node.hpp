@@ -55,6 +55,7 @@ class AgentNode {
   void expect_next_cell();
   void note_place(Instant t);
   void move_valve(bool open, Instant t, double share_of_period = 1.0);
+  Length open_width() const;
   bool is_off_line() const;
   void stray(Instant t);
   void return_to_line(Instant t);

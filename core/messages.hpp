@@ -221,6 +221,7 @@ struct TrackPoint {
   FieldPoint position;
   bool spraying;
   double altitude_m = 0.0;  ///< Above the datum; 0 over level land.
+  Length width{};           ///< As of the piece that is sprayed.
 };
 
 /// What a simulated aircraft alone can tell: where it truly was. No node acts on it; recorders do.

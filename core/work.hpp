@@ -40,6 +40,7 @@ struct Piece {
   /// Above the datum, one for each way point of the approach, flown straight between them; none:
   /// the height of work is kept [m].
   std::vector<double> approach_altitudes_m{};
+  Length width{};  ///< Of the spray, where only a part of the boom is open; 0: all of it.
   friend bool operator==(const Piece&, const Piece&) = default;
 };
 

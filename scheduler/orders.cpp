@@ -40,6 +40,7 @@ SortieOrder sortie_order(const planner::Route& route, const UavPlan& uav, std::u
       next.approach = strip.approach;
       next.approach_altitudes_m = strip.approach_altitudes_m;
     }
+    next.width = strip.width;
     order.pieces.push_back(std::move(next));
     first = stop;
   }

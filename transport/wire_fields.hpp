@@ -147,6 +147,7 @@ void fields(D& d, Seen<D, Command>& m, fleet::v1::Command& w) {
                  [](D& a, auto& point, fleet::v1::Point& at) { fields(a, point, at); });
       p.sequence(piece.approach_altitudes_m, q.approach_altitude_m(),
                  [](D& a, auto& altitude_m, double& on_wire) { a(altitude_m, on_wire); });
+      p(piece.width, q.width_m());
     });
   });
   d.sequence(m.obstacles, w.obstacles(),
@@ -292,6 +293,7 @@ void fields(D& d, Seen<D, FlightRecord>& m, fleet::v1::FlightRecord& w) {
     fields(s, point.position, p.position());
     s(point.spraying, p.spraying());
     s(point.altitude_m, p.altitude_m());
+    s(point.width, p.width_m());
   });
 }
 

@@ -41,20 +41,22 @@ void add(FlightRecord::Deviation& sum, double cross_m) {
 
 }  // namespace
 
-void FlightLog::point(Instant at, Xy truth_m, double altitude_m, bool is_spraying) {
+void FlightLog::point(Instant at, Xy truth_m, double altitude_m, bool is_spraying, Length width) {
   keep_bend(truth_m);
   keep({.at = at,
         .position = field_point(truth_m),
         .spraying = is_spraying,
-        .altitude_m = altitude_m});
+        .altitude_m = altitude_m,
+        .width = width});
 }
 
-void FlightLog::pass(Instant at, Xy truth_m, double altitude_m, bool is_spraying) {
+void FlightLog::pass(Instant at, Xy truth_m, double altitude_m, bool is_spraying, Length width) {
   keep_bend(truth_m);
   passed_.push_back({.at = at,
                      .position = field_point(truth_m),
                      .spraying = is_spraying,
-                     .altitude_m = altitude_m});
+                     .altitude_m = altitude_m,
+                     .width = width});
 }
 
 void FlightLog::keep_bend(Xy ahead_m) {

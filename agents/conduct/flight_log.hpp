@@ -11,10 +11,11 @@ class FlightLog {
   explicit FlightLog(AgentId agent) { record_.agent = agent; }
 
   /// A later word on the same instant replaces the earlier.
-  void point(Instant at, Xy truth_m, double altitude_m, bool is_spraying);
+  /// @param width  As of the piece that is sprayed.
+  void point(Instant at, Xy truth_m, double altitude_m, bool is_spraying, Length width = {});
   /// A place passed between points. It becomes a point itself where the line from the point before
   /// it to a later place would leave out the way by more than 3 cm.
-  void pass(Instant at, Xy truth_m, double altitude_m, bool is_spraying);
+  void pass(Instant at, Xy truth_m, double altitude_m, bool is_spraying, Length width = {});
   /// A control period on a strip with the valve open.
   void sample(const Piece& strip, const Aircraft& aircraft);
   /// A cell passed with the valve open, in order of the route.

@@ -26,6 +26,9 @@ std::optional<std::string> fault_in(const Piece& p) {
     return name + " has " + std::to_string(p.approach_altitudes_m.size()) + " heights for " +
            std::to_string(p.approach.size()) + " way points";
   }
+  if (!std::isfinite(p.width.base()) || p.width < Length{}) {
+    return name + " is " + std::to_string(p.width.base()) + " m wide";
+  }
   if ((p.cells.count == 1) != (p.from == p.to)) {
     return name + " has " + std::to_string(p.cells.count) + " cells on " +
            std::to_string(distance(p.from, p.to).base()) + " m";

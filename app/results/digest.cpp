@@ -48,6 +48,7 @@ class Hash {
     all(p.cells, p.entry, p.from, p.to);
     if (!(p.exit == p.to) || !p.approach.empty()) all(p.exit, p.approach);
     if (!p.approach_altitudes_m.empty()) all(p.approach_altitudes_m);
+    if (p.width > Length{}) all(p.width);
   }
   void operator()(const SortieOrder& s) { all(s.pieces, s.station); }
   void operator()(const GrantWindow& w) { all(w.id, w.cells); }
@@ -56,6 +57,7 @@ class Hash {
   void operator()(const TrackPoint& p) {
     all(p.at, p.position, p.spraying);
     if (p.altitude_m != 0) all(p.altitude_m);
+    if (p.width > Length{}) all(p.width);
   }
   void operator()(const FlightRecord::Deviation& d) {
     all(std::uint64_t{d.samples}, d.sum_squares, d.largest);

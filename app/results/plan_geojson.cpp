@@ -98,12 +98,13 @@ void add_work(Json& features, const planner::Route& route, const scheduler::UavP
       add_visit(features, route, i, id, i == uav.strips.first);
       continue;
     }
-    features.push_back(feature("LineString",
-                               Json::array({position(strip.begin), position(strip.end)}),
-                               {{"kind", "strip"},
-                                {"strip", i + 1},
-                                {"uav", id},
-                                {"swath_m", rounded(uav.vehicle.swath.base())}}));
+    const bool is_whole = strip.width == Length{};
+    features.push_back(
+        feature("LineString", Json::array({position(strip.begin), position(strip.end)}),
+                {{"kind", "strip"},
+                 {"strip", i + 1},
+                 {"uav", id},
+                 {"swath_m", rounded((is_whole ? uav.vehicle.swath : strip.width).base())}}));
   }
   const auto& plan = uav.solution.plan;
   for (std::size_t k = 0; k < plan.returns.size(); ++k) {

@@ -9,9 +9,11 @@ namespace {
 std::vector<planner::FlownPlace> places(const std::vector<TrackPoint>& track) {
   std::vector<planner::FlownPlace> all;
   bool is_open = false;
+  Length width;
   for (const TrackPoint& point : track) {
-    all.push_back({point.position, is_open});
+    all.push_back({point.position, is_open, width});
     is_open = point.spraying;
+    width = point.width;
   }
   return all;
 }

@@ -44,6 +44,7 @@ Route end_to_end_route(Length cell, std::vector<Strip> strips) {
     const double cells = std::max(1.0, std::round(distance(s.begin, s.end) / cell));
     const auto count = static_cast<std::uint32_t>(cells);
     route.strips.push_back(end_strip({first, count}, s.begin, s.end, std::move(s.approach)));
+    route.strips.back().width = s.width;
     for (std::uint32_t i = 0; i < count; ++i) {
       route.centers.push_back(between(s.begin, s.end, (i + 0.5) / count));
     }

@@ -25,6 +25,7 @@ struct Strip {
   std::vector<FieldPoint> approach{};
   /// Of these, above the datum [m]; none: as high as strips are flown.
   std::vector<double> approach_altitudes_m{};
+  Length width{};  ///< Of the spray, where only a part of the boom is open; 0: all of it.
 };
 
 /// A strip that is sprayed from centre to centre of its cells.

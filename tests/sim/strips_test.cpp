@@ -44,11 +44,14 @@ Station station() {
 }
 
 // North, then (by the lane) south-east at 3:4, then west; lengths 50, 50 and 41.3 m.
+// Along the last, 1.2 m of the boom are open.
 planner::Route route() {
-  return planner::end_to_end_route(
-      metres(swath_m), {planner::end_strip({0, 1}, at_m(10, 10), lane.front(), {}),
-                        planner::end_strip({0, 1}, lane.back(), at_m(80, 10), {lane[1], lane[2]}),
-                        planner::end_strip({0, 1}, at_m(70, 5), at_m(28.7, 5), {})});
+  std::vector<planner::Strip> strips{
+      planner::end_strip({0, 1}, at_m(10, 10), lane.front(), {}),
+      planner::end_strip({0, 1}, lane.back(), at_m(80, 10), {lane[1], lane[2]}),
+      planner::end_strip({0, 1}, at_m(70, 5), at_m(28.7, 5), {})};
+  strips.back().width = metres(1.2);
+  return planner::end_to_end_route(metres(swath_m), std::move(strips));
 }
 
 // Returns after the 12th cell, in the middle of strip 1, and at the end of strip 2.
@@ -141,6 +144,25 @@ TEST_CASE("strips: a plan on strips of any direction is flown whole and within t
   for (std::size_t k = 0; k < 3; ++k) {
     CHECK(sorties[k].sprayed.base() == Approx(spray_m[k]).margin(2.0 * swath_m / 2));
   }
+}
+
+TEST_CASE("strips: a narrowed strip is sprayed as wide as it is planned, others whole", "[sim]") {
+  int narrow = 0, whole = 0;
+  for (const Envelope& e : flown().envelopes) {
+    const auto* record = std::get_if<FlightRecord>(&e.body);
+    if (record == nullptr) continue;
+    for (const TrackPoint& p : record->track) {
+      if (!p.spraying) {
+        CHECK(p.width == Length{});
+        continue;
+      }
+      const bool is_last = p.position.y < metres(6) && p.position.x < metres(72);
+      CHECK(p.width.base() == (is_last ? 1.2 : 0.0));
+      ++(is_last ? narrow : whole);
+    }
+  }
+  CHECK(narrow > 10);  // 41.3 m at 3 m/s, one point a second
+  CHECK(whole > 30);   // 100 m
 }
 
 TEST_CASE("strips: connections are flown along their way points, corners cut by half a swath",

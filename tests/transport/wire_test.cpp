@@ -63,7 +63,8 @@ std::vector<Envelope> samples() {
                     .to = at_m(5, 6),
                     .exit = at_m(7, 8),
                     .approach = {at_m(9, 10), at_m(11, 12)},
-                    .approach_altitudes_m = {13, 14}};
+                    .approach_altitudes_m = {13, 14},
+                    .width = metres(15)};
   return {from(agent, AgentInfo{.agent = AgentId{7}, .boot = BootId{3}, .vehicle = vehicle()}),
           from(agent, AgentState{.agent = AgentId{7},
                                  .boot = BootId{3},
@@ -151,7 +152,8 @@ std::vector<Envelope> samples() {
                                    .track = {{.at = Instant{Duration{5}},
                                               .position = at_m(1, 2),
                                               .spraying = true,
-                                              .altitude_m = 33}}}),
+                                              .altitude_m = 33,
+                                              .width = metres(34)}}}),
           from(agent, ObstacleSeen{.agent = AgentId{7},
                                    .boot = BootId{3},
                                    .epoch = Epoch{2},

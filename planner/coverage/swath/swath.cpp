@@ -226,7 +226,8 @@ Expected<FlownCoverage, PlanError> flown_coverage(
     for (const FlownPlace& place : track) {
       const PointM here = plane_point(place.at, land->origin);
       if (place.spraying && !path.empty()) {
-        if (!open) runs.push_back({{path.back()}, swath.base()});
+        const double width_m = (place.width == Length{} ? swath : place.width).base();
+        if (!open || runs.back().width_m != width_m) runs.push_back({{path.back()}, width_m});
         runs.back().path.push_back(here);
       }
       open = place.spraying && !path.empty();

@@ -51,7 +51,8 @@ Expected<SwathCoverage, PlanError> swath_coverage(const Field& field, Length swa
 /// Where an aircraft went, and whether its valve was open on the way to each place.
 struct FlownPlace {
   FieldPoint at;
-  bool spraying;  ///< On the leg that ends here.
+  bool spraying;   ///< On the leg that ends here.
+  Length width{};  ///< Of the spray on this leg; 0: the swath.
 };
 
 /// The areas that flown tracks of one swath left on `field`; and how far they went outside it.

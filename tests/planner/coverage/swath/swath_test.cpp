@@ -77,6 +77,19 @@ TEST_CASE("a tremble at the end of a strip does not turn the boom") {
   CHECK(flown->areas.outside.base() == Approx(0).margin(1e-6));
 }
 
+TEST_CASE("a track sprayed with a part of the boom covers as much as that part is wide") {
+  const Field field{.boundary = {at_m(0, 0), at_m(100, 0), at_m(100, 10), at_m(0, 10)},
+                    .holes = {},
+                    .obstacles = {}};
+  // 50 m of 4 m, then 50 m of 1.5 m.
+  const std::vector<FlownPlace> track{
+      {at_m(0, 5), false}, {at_m(50, 5), true}, {at_m(100, 5), true, metres(1.5)}};
+  const auto flown = flown_coverage(field, metres(4), {track});
+  REQUIRE(flown);
+  CHECK(flown->areas.covered.base() == Approx(50 * 4 + 50 * 1.5));
+  CHECK(flown->areas.repeated.base() == Approx(0).margin(1e-6));
+}
+
 TEST_CASE("what positions may err is kept from the edge where nothing outside may be sprayed") {
   const Field field{.boundary = {at_m(0, 0), at_m(100, 0), at_m(100, 10), at_m(0, 10)},
                     .holes = {},
