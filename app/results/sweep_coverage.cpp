@@ -1,7 +1,5 @@
 #include "app/results/sweep_coverage.hpp"
 
-#include "planner/coverage/swath/swath.hpp"
-
 namespace furrow::app {
 namespace {
 
@@ -18,14 +16,29 @@ std::vector<planner::FlownPlace> places(const std::vector<TrackPoint>& track) {
   return all;
 }
 
+std::vector<planner::FlownPlace> places(const planner::Route& route) {
+  std::vector<planner::FlownPlace> all;
+  for (const planner::Strip& strip : route.strips) {
+    all.push_back({strip.begin, false});
+    all.push_back({strip.end, true, strip.width});
+  }
+  return all;
+}
+
 }  // namespace
+
+std::vector<std::vector<planner::FlownPlace>> sprayed_tracks(const MissionRecord& record,
+                                                             const Flown* flown) {
+  if (flown == nullptr) return {places(record.plan.route)};
+  std::vector<std::vector<planner::FlownPlace>> tracks;
+  for (const FlownUav& uav : flown->uavs) tracks.push_back(places(uav.track));
+  return tracks;
+}
 
 planner::SprayedAreas sweep_areas(const MissionRecord& record, const Flown* flown) {
   if (flown == nullptr) return record.plan.sweep->areas;
-  std::vector<std::vector<planner::FlownPlace>> tracks;
-  for (const FlownUav& uav : flown->uavs) tracks.push_back(places(uav.track));
-  const auto coverage =
-      planner::flown_coverage(record.scenario.field, record.scenario.uavs.front().swath, tracks);
+  const auto coverage = planner::flown_coverage(
+      record.scenario.field, record.scenario.uavs.front().swath, sprayed_tracks(record, flown));
   return coverage ? coverage->areas : planner::SprayedAreas{};  // the plan has judged the field
 }
 

@@ -2,6 +2,9 @@
 
 #include "app/results/flown.hpp"
 #include "app/results/result.hpp"
+#include "planner/coverage/swath/swath.hpp"
+
+#include <vector>
 
 namespace furrow::app {
 
@@ -9,6 +12,11 @@ namespace furrow::app {
 /// tracks as flown.
 /// @param flown  Null when only planned.
 planner::SprayedAreas sweep_areas(const MissionRecord& record, const Flown* flown);
+
+/// Where the boom was, per aircraft: the strips as planned, or the tracks as flown.
+/// @param flown  Null when only planned.
+std::vector<std::vector<planner::FlownPlace>> sprayed_tracks(const MissionRecord& record,
+                                                             const Flown* flown);
 
 /// Coverage in true areas.
 /// @param cells  The ledger's view, of which abandoned and uncertain are kept.

@@ -1,5 +1,6 @@
 #include "app/results/report/map.hpp"
 
+#include "app/results/report/footprint_panel.hpp"
 #include "app/results/report/height_charts.hpp"
 #include "app/results/report/palette.hpp"
 #include "app/results/report/simplify.hpp"
@@ -344,7 +345,8 @@ std::string map_figure(const MissionRecord& record, const Flown& flown, const Re
   std::string figure = "<div class=\"maps\">" + panels.planned();
   if (is_flown) figure += panels.tracks();
   if (is_flown && !result.survey) figure += panels.accuracy();
-  return figure + "</div>" + legend(result, colours, is_flown);
+  figure += footprint_panel(record, is_flown ? &flown : nullptr);
+  return figure + "</div>" + legend(result, colours, is_flown) + footprint_legend(record);
 }
 
 }  // namespace furrow::app

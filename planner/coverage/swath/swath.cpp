@@ -10,6 +10,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <numbers>
+#include <utility>
 
 namespace furrow::planner {
 namespace {
@@ -161,17 +162,26 @@ Laid lay_parts(const FieldLand& field, std::optional<RowDirection> direction, Pl
   return laid;
 }
 
-// The boom lies across the way flown over half a swath, not across each tremble of a hovering
-// aircraft, of which every place but the last is left out.
-PathM steadied(const PathM& path, double least_m) {
-  PathM made{path.front()};
-  for (const PointM p : path) {
-    if (norm(p - made.back()) >= least_m) made.push_back(p);
+// Without the places less than `least` from the one before, but for the last.
+std::vector<FieldPoint> steadied(const std::vector<FieldPoint>& path, Length least) {
+  std::vector<FieldPoint> made{path.front()};
+  for (const FieldPoint p : path) {
+    if (distance(p, made.back()) >= least) made.push_back(p);
   }
   if (made.back() == path.back()) return made;
-  if (made.size() > 1 && norm(path.back() - made.back()) < least_m) made.pop_back();
+  if (made.size() > 1 && distance(path.back(), made.back()) < least) made.pop_back();
   made.push_back(path.back());
   return made;
+}
+
+std::vector<SprayedRun> runs_of(const std::vector<std::vector<FlownPlace>>& tracks, Length swath,
+                                PointM origin) {
+  std::vector<SprayedRun> runs;
+  for (const BoomRun& run : boom_runs(swath, tracks)) {
+    runs.push_back({{}, run.width.base()});
+    for (const FieldPoint p : run.path) runs.back().path.push_back(plane_point(p, origin));
+  }
+  return runs;
 }
 
 }  // namespace
@@ -214,30 +224,50 @@ Expected<SwathCoverage, PlanError> swath_coverage(const Field& field, Length swa
   return coverage_of(laid, *land);
 }
 
+std::vector<BoomRun> boom_runs(Length swath, const std::vector<std::vector<FlownPlace>>& tracks) {
+  std::vector<BoomRun> runs;
+  for (const std::vector<FlownPlace>& track : tracks) {
+    bool open = false;
+    for (std::size_t i = 1; i < track.size(); ++i) {
+      const FlownPlace& place = track[i];
+      const bool was_open = std::exchange(open, place.spraying);
+      if (!open) continue;
+      const Length width = place.width == Length{} ? swath : place.width;
+      if (!was_open || runs.back().width != width) runs.push_back({{track[i - 1].at}, width});
+      runs.back().path.push_back(place.at);
+    }
+  }
+  for (BoomRun& run : runs) run.path = steadied(run.path, 0.5 * swath);
+  return runs;
+}
+
 Expected<FlownCoverage, PlanError> flown_coverage(
     const Field& field, Length swath, const std::vector<std::vector<FlownPlace>>& tracks) {
   const auto land = field_land(field, Length{}, Length{});
   if (!land) return Unexpected{land.error()};
-  std::vector<SprayedRun> runs;
   std::vector<PathM> paths;
   for (const std::vector<FlownPlace>& track : tracks) {
-    PathM path;
-    bool open = false;
-    for (const FlownPlace& place : track) {
-      const PointM here = plane_point(place.at, land->origin);
-      if (place.spraying && !path.empty()) {
-        const double width_m = (place.width == Length{} ? swath : place.width).base();
-        if (!open || runs.back().width_m != width_m) runs.push_back({{path.back()}, width_m});
-        runs.back().path.push_back(here);
-      }
-      open = place.spraying && !path.empty();
-      path.push_back(here);
-    }
-    paths.push_back(std::move(path));
+    PathM& path = paths.emplace_back();
+    for (const FlownPlace& place : track) path.push_back(plane_point(place.at, land->origin));
   }
-  for (SprayedRun& run : runs) run.path = steadied(run.path, swath.base() / 2);
-  return FlownCoverage{sprayed_areas(runs, land->land),
+  return FlownCoverage{sprayed_areas(runs_of(tracks, swath, land->origin), land->land),
                        metres(length_outside_m(paths, offset(land->land, EdgeGrid::touch_m * 10)))};
+}
+
+Expected<std::vector<Ring>, PlanError> left_out(
+    const Field& field, Length swath, const std::vector<std::vector<FlownPlace>>& tracks) {
+  const auto land = field_land(field, Length{}, Length{});
+  if (!land) return Unexpected{land.error()};
+  std::vector<Ring> rings;
+  const auto add = [&](const RingM& ring) {
+    Ring& made = rings.emplace_back();
+    for (const PointM p : ring) made.push_back(field_point(p, land->origin));
+  };
+  for (const LandPart& part : missed_land(runs_of(tracks, swath, land->origin), land->land)) {
+    add(part.outer);
+    for (const RingM& island : part.holes) add(island);
+  }
+  return rings;
 }
 
 Expected<Length, PlanError> length_outside(const Field& field,

@@ -55,6 +55,16 @@ struct FlownPlace {
   Length width{};  ///< Of the spray on this leg; 0: the swath.
 };
 
+/// The boom open along a way.
+struct BoomRun {
+  std::vector<FieldPoint> path;
+  Length width;
+};
+
+/// The runs of the boom along the tracks, each of one width. The boom lies across the way flown
+/// over half a swath, not across each tremble of an aircraft that hovers.
+std::vector<BoomRun> boom_runs(Length swath, const std::vector<std::vector<FlownPlace>>& tracks);
+
 /// The areas that flown tracks of one swath left on `field`; and how far they went outside it.
 struct FlownCoverage {
   SprayedAreas areas;
@@ -62,6 +72,11 @@ struct FlownCoverage {
 };
 Expected<FlownCoverage, PlanError> flown_coverage(
     const Field& field, Length swath, const std::vector<std::vector<FlownPlace>>& tracks);
+
+/// Outlines of the land that the tracks leave out, and of the islands in it that they do not.
+/// @error  As `field_land`.
+Expected<std::vector<Ring>, PlanError> left_out(const Field& field, Length swath,
+                                                const std::vector<std::vector<FlownPlace>>& tracks);
 
 /// How much of `ways` lies over no land, more than `tolerance` beyond an edge. Holes and obstacles
 /// are no land.
