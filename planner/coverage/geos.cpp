@@ -181,7 +181,7 @@ LandParts subtracted(const LandParts& land, const LandParts& taken) {
 LandParts offset(const LandParts& land, double distance_m) {
   if (land.empty() || distance_m == 0) return land;
   constexpr int segments_per_quarter = 8;
-  constexpr double mitre_limit = 10.0;     // sharper corners than 12 degrees are cut off
+  constexpr double mitre_limit = 10.0;  // sharper corners than 12 degrees are cut off
   const Session geos;
   const auto shape = geos.polygons(land);
   const auto with = [&](int join) {

@@ -104,6 +104,33 @@ Edge own_edge(const LandPart& part, double swath_m) {
   return {start, start + along, 0};
 }
 
+Stretch stretch_along(const std::vector<Edge>& edges, std::size_t edge, const PathM& places,
+                      double missed_m2) {
+  const RowFrame frame = RowFrame::along(edges[edge].to - edges[edge].from);
+  Stretch stretch{edge, INFINITY, -INFINITY, missed_m2};
+  for (const PointM p : places) {
+    stretch.low_m = std::min(stretch.low_m, frame.to(p).x);
+    stretch.high_m = std::max(stretch.high_m, frame.to(p).x);
+  }
+  return stretch;
+}
+
+// A place that lies around something has its middle at none of its edges, but its sides do: each
+// takes its share of what is missed.
+std::vector<Stretch> stretches_of_sides(const LandPart& part, const std::vector<Edge>& edges,
+                                        std::size_t land_edges, double swath_m) {
+  double around_m = 0;
+  each_edge(part, [&](PointM a, PointM b) { around_m += norm(b - a); });
+  std::vector<Stretch> made;
+  each_edge(part, [&](PointM a, PointM b) {
+    const PointM middle = a + 0.5 * (b - a);
+    const std::size_t e = nearest_edge(edges, land_edges, middle);
+    if (distance_m(middle, edges[e]) > swath_m) return;
+    made.push_back(stretch_along(edges, e, {a, b}, area_m2(part) * norm(b - a) / around_m));
+  });
+  return made;
+}
+
 // Missed places by the edge that they lie at; far from any, or if `apart`, by an edge of their own,
 // which is added.
 std::vector<Stretch> stretches_of(const LandParts& missed, std::vector<Edge>& edges,
@@ -113,17 +140,17 @@ std::vector<Stretch> stretches_of(const LandParts& missed, std::vector<Edge>& ed
   for (const LandPart& part : missed) {
     const PointM middle = middle_of(part.outer);
     std::size_t e = nearest_edge(edges, land_edges, middle);
-    if (apart || distance_m(middle, edges[e]) > swath_m) {
+    const bool is_far = distance_m(middle, edges[e]) > swath_m;
+    if (is_far && !apart) {
+      const auto sides = stretches_of_sides(part, edges, land_edges, swath_m);
+      for (const Stretch& side : sides) by_edge[side.edge].push_back(side);
+      if (!sides.empty()) continue;
+    }
+    if (is_far || apart) {
       e = edges.size();
       edges.push_back(own_edge(part, swath_m));
     }
-    const RowFrame frame = RowFrame::along(edges[e].to - edges[e].from);
-    Stretch stretch{e, INFINITY, -INFINITY, area_m2(part)};
-    for (const PointM p : part.outer) {
-      stretch.low_m = std::min(stretch.low_m, frame.to(p).x);
-      stretch.high_m = std::max(stretch.high_m, frame.to(p).x);
-    }
-    by_edge[e].push_back(stretch);
+    by_edge[e].push_back(stretch_along(edges, e, part.outer, area_m2(part)));
   }
   std::vector<Stretch> joined;
   for (auto& [edge, list] : by_edge) {
