@@ -173,11 +173,11 @@ class Deaths(Furrow):
         result = json.loads((self.out("run") / "result.json").read_text())
         self.assertLessEqual(result["faults"][0]["noticed_s"], 100 + 3 + 2)  # lease and heartbeat
 
-    def flown_alike(self, scenario, said=""):
+    def flown_alike(self, scenario, said="", code=0):
         """Flies a scenario by sim and by run to the same result and events; gives both."""
         for command in ("sim", "run"):
             done = furrow(command, ROOT / "scenarios" / scenario, "--out", self.out(command))
-            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual(done.returncode, code, done.stderr)
             self.assertIn(said, done.stderr)
         self.assertEqual(without_timing(self.out("sim")), without_timing(self.out("run")))
         events = (self.out("run") / "events.jsonl").read_bytes()
@@ -196,6 +196,11 @@ class Deaths(Furrow):
     def test_a_tree_that_no_map_shows_is_flown_around_by_sim_and_run_alike(self):
         _, events = self.flown_alike("surprise_tree.yaml")
         self.assertIn(b"obstacle_planned", events)
+
+    def test_what_lies_behind_a_tree_without_a_way_past_is_sprayed_by_sim_and_run_alike(self):
+        result, events = self.flown_alike("alley_blocked.yaml", "the mission is not completed", 1)
+        self.assertEqual(events.count(b"way_blocked"), 3)  # on each of three rows
+        self.assertLess(result["coverage"]["missed_m2"], 300)
 
     def test_what_an_empty_station_leaves_is_done_from_another_by_sim_and_run_alike(self):
         result, _ = self.flown_alike("empty_stock.yaml", "station 1 has no mix for it")

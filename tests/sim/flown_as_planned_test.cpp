@@ -89,12 +89,7 @@ TEST_CASE("flown as planned: behind a tree that leaves no way the strips are flo
           "[sim]") {
   // An alley of 12 m, and 6.1 m around the centre to keep clear of. Rows of 6 m overlap by 0.06 m,
   // so it takes three.
-  mission::Scenario alley = scenario("surprise_tree");
-  alley.field.boundary = {at_m(0, 0), at_m(12, 0), at_m(12, 200), at_m(0, 200)};
-  alley.stations[0].position = at_m(6, -10);
-  for (Vehicle& v : alley.uavs) v.home = at_m(6, -10);
-  alley.uavs.erase(alley.uavs.begin() + 1, alley.uavs.end());
-  alley.surprises[0].obstacle = {at_m(6, 110), metres(4.5)};
+  const mission::Scenario alley = scenario("alley_blocked");
   const auto plan = scheduler::plan_fleet(mission::fleet_problem(alley));
   REQUIRE(plan);
   const Log log = flown(alley, *plan);
