@@ -383,6 +383,20 @@ class Hosts(Furrow):
         self.assertTrue(all(uav["spray_s"] > 0 for uav in result["uavs"]))
 
 
+class Scenarios(Furrow):
+    ELSEWHERE = {"alley_blocked", "block_1000ha", "empty_stock", "fleet_20", "late_joiner",
+                 "lost_agent", "station_down", "surprise_tree", "template", "wang2017_field_a",
+                 "wang2017_field_a_single"}  # flown by other tests, or large
+
+    def test_scenarios_of_the_repository_meet_what_they_expect(self):
+        for path in sorted((ROOT / "scenarios").glob("*.yaml")):
+            if path.stem in self.ELSEWHERE:
+                continue
+            with self.subTest(path.stem):
+                done = furrow("sim", path, "--quiet", "--out", self.out(path.stem))
+                self.assertEqual(done.returncode, 0, done.stderr)
+
+
 class Input(Furrow):
     def test_every_scenario_of_the_repository_is_sound(self):
         for path in sorted((ROOT / "scenarios").glob("*.yaml")):
