@@ -92,6 +92,13 @@ std::string uncovered(const Result& result) {
                      areas.missed.base(), 100 * share);
 }
 
+// How far aircraft are at work over ground that is not of the field, where they are; else nothing.
+std::string strayed(const Result& result) {
+  if (!(result.fleet.outside_at_work_m > 0.5)) return {};
+  return fmt::format("ways between rows lead {:.0f} m over ground outside the field or in holes",
+                     result.fleet.outside_at_work_m);
+}
+
 int report(const Options& options, const MissionRecord& record) {
   const Result result = summary(record);
   const std::string folder = options.out.empty() ? "out/" + record.scenario.name : options.out;
@@ -104,7 +111,9 @@ int report(const Options& options, const MissionRecord& record) {
     fmt::print(stderr, "{}", summary_table(result));
     fmt::print(stderr, "Results: {}/report.html\n", folder);
   }
-  if (const std::string gap = uncovered(result); !gap.empty()) tell(gap);
+  for (const std::string& sentence : {uncovered(result), strayed(result)}) {
+    if (!sentence.empty()) tell(sentence);
+  }
   for (const std::string& sentence : losses(record.log)) tell(sentence);
   const auto lacking = shortcomings(result, record.log);
   for (const std::string& sentence : lacking) tell(sentence);

@@ -38,6 +38,10 @@ std::optional<MissionFormat> mission_format(std::string_view name) {
   return std::nullopt;
 }
 
+bool tells_width(MissionFormat format) {
+  return format == MissionFormat::geojson || format == MissionFormat::csv;
+}
+
 std::string file_name(const SortieTrack& track, MissionFormat format) {
   return fmt::format("uav{}_sortie{}.{}", number(track.uav), track.sortie, row(format).extension);
 }

@@ -17,6 +17,7 @@ namespace furrow::exchange {
 struct TrackPoint {
   FieldPoint at;
   bool is_spraying;
+  Length width{};  ///< Of the spray, where only a part of the boom is open; 0: all of it.
 };
 
 /// One trip of one aircraft: from home over the points to the place where it lands.
@@ -35,6 +36,9 @@ enum class MissionFormat { qgc_plan, waypoints, geojson, kml, csv };
 /// The format called "qgc-plan", "waypoints", "geojson", "kml" or "csv".
 std::optional<MissionFormat> mission_format(std::string_view name);
 
+/// Whether files of this format tell how much of the boom is open.
+bool tells_width(MissionFormat format);
+
 /// "uav1_sortie2.plan", with the extension of the format.
 std::string file_name(const SortieTrack& track, MissionFormat format);
 
@@ -47,7 +51,7 @@ std::optional<MissionFormat> format_of_file(std::string_view file_name);
 /// qgc_plan and waypoints hold MAVLink items: take-off, speed, waypoints, DO_SPRAYER in pairs of
 /// on and off, land at the landing place. An item that acts is placed behind the waypoint where it
 /// acts. geojson and kml hold one line per stretch of one valve state, csv one row per point, all
-/// with home first and the landing place last.
+/// with home first and the landing place last. Only geojson and csv tell the width of the spray.
 std::string mission_file(const SortieTrack& track, const LocalFrame& frame, MissionFormat format);
 
 }  // namespace furrow::exchange

@@ -90,9 +90,9 @@ std::optional<Fault> extent_fault(const GeoRing& boundary, const OGRSpatialRefer
   const auto [west, east] = std::minmax_element(
       boundary.begin(), boundary.end(), [](auto a, auto b) { return a.lon_deg < b.lon_deg; });
   if (std::max(std::abs(south->lat_deg), std::abs(north->lat_deg)) > 85) {
-    return Fault{
-        "must lie within 85 degrees of the equator",
-        fmt::format("{} to {} degrees in {}", south->lat_deg, north->lat_deg, described(crs))};
+    return Fault{"must lie within 85 degrees of the equator",
+                 fmt::format("{:.4f} to {:.4f} degrees in {}", south->lat_deg, north->lat_deg,
+                             described(crs))};
   }
   const double width_deg = (east->lon_deg - west->lon_deg) * std::cos(south->lat_deg * M_PI / 180);
   if (std::max(width_deg, north->lat_deg - south->lat_deg) > widest_deg) {

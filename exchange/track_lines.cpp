@@ -12,14 +12,15 @@ using nlohmann::json;
 struct Stop {
   GeoPoint at;
   bool is_spraying;  // from here on
+  Length width{};
 };
 
 std::vector<Stop> stops(const SortieTrack& track, const LocalFrame& frame) {
   std::vector<Stop> stops{{frame.to_wgs84(track.home), false}};
   for (const TrackPoint& point : track.points) {
-    stops.push_back({frame.to_wgs84(point.at), point.is_spraying});
+    stops.push_back({frame.to_wgs84(point.at), point.is_spraying, point.width});
   }
-  stops.back().is_spraying = false;
+  stops.back() = {stops.back().at, false};
   stops.push_back({frame.to_wgs84(track.landing), false});
   return stops;
 }
@@ -51,8 +52,9 @@ std::vector<TrackLine> track_lines(const SortieTrack& track, const LocalFrame& f
   std::vector<TrackLine> lines;
   const std::vector<Stop> all = stops(track, frame);
   for (std::size_t i = 0; i + 1 < all.size(); ++i) {
-    if (lines.empty() || lines.back().is_spraying != all[i].is_spraying) {
-      lines.push_back({{all[i].at}, all[i].is_spraying});
+    if (lines.empty() || lines.back().is_spraying != all[i].is_spraying ||
+        lines.back().width != all[i].width) {
+      lines.push_back({{all[i].at}, all[i].is_spraying, all[i].width});
     }
     lines.back().points.push_back(all[i + 1].at);
   }
@@ -76,6 +78,7 @@ std::string geojson(const SortieTrack& track, const LocalFrame& frame) {
            {"speed_mps", speed_mps(track, line.is_spraying)},
            {"altitude_m", track.altitude.base()}}},
          {"geometry", {{"type", "LineString"}, {"coordinates", std::move(coordinates)}}}});
+    if (line.width > Length{}) features.back()["properties"]["width_m"] = line.width.base();
   }
   const json file{{"type", "FeatureCollection"}, {"features", std::move(features)}};
   return file.dump(2) + "\n";
@@ -96,12 +99,13 @@ std::string kml(const SortieTrack& track, const LocalFrame& frame) {
 }
 
 std::string csv(const SortieTrack& track, const LocalFrame& frame) {
-  std::string file = "uav,sortie,point,lon_deg,lat_deg,altitude_m,spraying,speed_mps\n";
+  std::string file = "uav,sortie,point,lon_deg,lat_deg,altitude_m,spraying,speed_mps,width_m\n";
   std::size_t point = 0;
   for (const Stop& stop : stops(track, frame)) {
-    file += fmt::format("{},{},{},{:.9f},{:.9f},{},{},{}\n", number(track.uav), track.sortie,
+    file += fmt::format("{},{},{},{:.9f},{:.9f},{},{},{},{}\n", number(track.uav), track.sortie,
                         point++, stop.at.lon_deg, stop.at.lat_deg, track.altitude.base(),
-                        stop.is_spraying ? 1 : 0, speed_mps(track, stop.is_spraying));
+                        stop.is_spraying ? 1 : 0, speed_mps(track, stop.is_spraying),
+                        stop.width > Length{} ? fmt::format("{}", stop.width.base()) : "");
   }
   return file;
 }

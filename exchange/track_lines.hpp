@@ -7,10 +7,11 @@
 
 namespace furrow::exchange {
 
-/// A stretch of a sortie flown with one valve state; neighbours share a point.
+/// A stretch of a sortie flown with one valve state and width; neighbours share a point.
 struct TrackLine {
   std::vector<GeoPoint> points;  ///< At least 2.
   bool is_spraying;
+  Length width;  ///< As of its points.
 };
 
 /// The sortie from home to landing, in order.

@@ -81,11 +81,11 @@ std::optional<PlanError> cut_off_strip(const planner::Route& route,
   return std::nullopt;
 }
 
-// A walk knows cells, not what lies between two of them that it flies across.
-void lead_around_holes(planner::Route& walk) {
-  for (std::size_t i = 1; i < walk.strips.size(); ++i) {
-    planner::Strip& strip = walk.strips[i];
-    if (!strip.continues) strip.approach = approach_over(walk.ferries, walk.strips[i - 1], strip);
+// A walk knows cells, not what lies between two of them that it flies across; rows of one part of a
+// field know no way to those of another.
+void lead_around_holes(planner::Route& route, const std::vector<std::size_t>& leaps) {
+  for (const std::size_t i : leaps) {
+    route.strips[i].approach = approach_over(route.ferries, route.strips[i - 1], route.strips[i]);
   }
 }
 
@@ -95,7 +95,7 @@ Expected<Sketch, PlanError> sketch(const FleetProblem& problem, const planner::F
   if (!coverage) return Unexpected{coverage.error()};
   if (auto fault = cut_off_strip(coverage->route, ferries)) return Unexpected{std::move(*fault)};
   coverage->route.ferries = ferries;
-  if (std::holds_alternative<planner::CoverageSettings>(model)) lead_around_holes(coverage->route);
+  lead_around_holes(coverage->route, coverage->leaps);
   RouteLengths lengths = route_lengths(coverage->route, problem.stations);
   Draft drafted = draft(coverage->route, lengths, problem.vehicles, problem.stations);
   return Sketch{std::move(*coverage), std::move(lengths), std::move(drafted)};

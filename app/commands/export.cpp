@@ -1,6 +1,7 @@
 #include "app/exports/missions_json.hpp"
 #include "app/options.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
@@ -27,6 +28,13 @@ std::vector<fs::path> earlier_missions(const fs::path& folder, exchange::Mission
     if (is_mission && entry->is_regular_file()) files.push_back(entry->path());
   }
   return files;
+}
+
+bool is_narrow_somewhere(const Missions& missions) {
+  const auto is_narrow = [](const exchange::TrackPoint& p) { return p.width > Length{}; };
+  return std::any_of(missions.sorties.begin(), missions.sorties.end(), [&](const auto& track) {
+    return std::any_of(track.points.begin(), track.points.end(), is_narrow);
+  });
 }
 
 }  // namespace
@@ -59,6 +67,12 @@ int export_missions(const Options& options) {
     if (!fs::remove(earlier, fault)) {
       return refused(fmt::format("{}: an earlier export that cannot be removed", earlier.string()));
     }
+  }
+  if (!exchange::tells_width(*format) && is_narrow_somewhere(*missions)) {
+    fmt::print(stderr,
+               "furrow: warning: some rows are sprayed with a part of the boom; {} does not tell "
+               "how wide (geojson and csv do)\n",
+               options.format);
   }
   const exchange::LocalFrame frame{*missions->datum};
   for (const exchange::SortieTrack& track : missions->sorties) {

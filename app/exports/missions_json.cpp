@@ -18,6 +18,7 @@ Json to_json(const exchange::SortieTrack& track) {
   Json points = Json::array();
   for (const exchange::TrackPoint& p : track.points) {
     points.push_back({p.at.x.base(), p.at.y.base(), p.is_spraying ? 1 : 0});
+    if (p.width > Length{}) points.back().push_back(p.width.base());
   }
   return {{"uav", number(track.uav)},
           {"sortie", track.sortie},
@@ -40,6 +41,7 @@ exchange::SortieTrack track(const Json& json) {
                               .ferry_speed = metres_per_second(json.at("ferry_speed_mps"))};
   for (const Json& p : json.at("points")) {
     track.points.push_back({point(p), p.at(2).get<int>() != 0});
+    if (p.size() > 3) track.points.back().width = metres(p.at(3));
   }
   return track;
 }
@@ -74,7 +76,8 @@ Expected<Missions, std::string> read_missions(const std::string& json) {
     for (const Json& sortie : all.at("sorties")) missions.sorties.push_back(track(sortie));
     return missions;
   } catch (const Json::exception& error) {
-    return Unexpected{std::string{error.what()}};
+    const std::string cause = error.what();  // "[json.exception.type.id] cause"
+    return Unexpected{"must be as plan, sim or run write it:" + cause.substr(cause.find(']') + 1)};
   }
 }
 

@@ -8,11 +8,12 @@ namespace {
 constexpr double altitude_m = 3.0;  // above the crop, as plant-protection UAVs fly
 
 // A place is named once; what the valve does from it on is the last word on it.
-void add(std::vector<exchange::TrackPoint>& points, FieldPoint at, bool is_spraying) {
+void add(std::vector<exchange::TrackPoint>& points, FieldPoint at, bool is_spraying,
+         Length width = {}) {
   if (!points.empty() && points.back().at == at) {
-    points.back().is_spraying = is_spraying;
+    points.back() = {at, is_spraying, width};
   } else {
-    points.push_back({at, is_spraying});
+    points.push_back({at, is_spraying, width});
   }
 }
 
@@ -31,9 +32,9 @@ std::vector<exchange::TrackPoint> track(const SortieOrder& order, FieldPoint hom
       for (const FieldPoint& way_point : piece.approach) add(points, way_point, false);
     }
     is_first = false;
-    add(points, piece.entry, true);
-    if (!(piece.from == piece.entry)) add(points, piece.from, true);
-    add(points, piece.to, true);
+    add(points, piece.entry, true, piece.width);
+    if (!(piece.from == piece.entry)) add(points, piece.from, true, piece.width);
+    add(points, piece.to, true, piece.width);
     add(points, piece.exit, false);
   }
   add_bends(points, ferries.way(order.pieces.back().exit, station));

@@ -32,6 +32,11 @@ std::vector<double> cell_shares(const planner::Route& route) {
   if (planner::is_survey(route)) return std::vector<double>(route.centers.size());
   std::vector<double> shares = planner::cell_lengths_m(route);
   for (double& length : shares) length /= route.cell.base();
+  for (const planner::Strip& strip : route.strips) {
+    if (strip.width == Length{}) continue;
+    const double part = strip.width / route.cell;
+    for (std::uint32_t c = strip.cells.first; c < end(strip.cells); ++c) shares[c] *= part;
+  }
   return shares;
 }
 
@@ -189,7 +194,7 @@ UavFigures planned_figures(const planner::Route& route, const scheduler::UavPlan
   UavFigures f = common_figures(uav, area_m2);
   f.sorties = planned_sorties(route, uav);
   for (const planner::PlannedSortie& s : uav.solution.plan.sorties) {
-    f.spray_s += s.spray_s;
+    f.spray_s += s.spray_m / uav.vehicle.spray_speed.base();
     f.ferry_m += ((s.fly_out_s + s.fly_back_s) * uav.vehicle.ferry_speed.base());
   }
   for (const SortieFigures& s : f.sorties) f.queue_wait_s += s.wait_s;

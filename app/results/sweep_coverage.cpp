@@ -19,7 +19,9 @@ std::vector<planner::FlownPlace> places(const std::vector<TrackPoint>& track) {
 std::vector<planner::FlownPlace> places(const planner::Route& route) {
   std::vector<planner::FlownPlace> all;
   for (const planner::Strip& strip : route.strips) {
-    all.push_back({strip.begin, false});
+    // The valve stays open over a corner that two strips share.
+    const bool goes_on = !all.empty() && distance(all.back().at, strip.begin) <= metres(1e-9);
+    if (!goes_on) all.push_back({strip.begin, false});
     all.push_back({strip.end, true, strip.width});
   }
   return all;

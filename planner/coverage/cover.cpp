@@ -9,7 +9,11 @@ Expected<Coverage, PlanError> walked(const Field& field, Length swath,
                                      const CoverageSettings& settings) {
   auto route = coverage_route(field, swath, settings);
   if (!route) return Unexpected{route.error()};
-  return Coverage{std::move(*route), settings.work_direction_deg, std::nullopt};
+  std::vector<std::size_t> leaps;
+  for (std::size_t i = 1; i < route->strips.size(); ++i) {
+    if (!route->strips[i].continues) leaps.push_back(i);
+  }
+  return Coverage{std::move(*route), settings.work_direction_deg, std::move(leaps), std::nullopt};
 }
 
 Expected<Coverage, PlanError> swept(const Field& field, Length swath,
@@ -18,7 +22,11 @@ Expected<Coverage, PlanError> swept(const Field& field, Length swath,
   const auto swaths = settings.avoidance ? coverage_around(field, swath, settings, record)
                                          : swath_coverage(field, swath, settings);
   if (!swaths) return Unexpected{swaths.error()};
-  return Coverage{swath_route(*swaths, swath), swaths->direction_deg,
+  std::vector<std::size_t> leaps;
+  for (std::size_t i = 1; i < swaths->strips.size(); ++i) {
+    if (swaths->strips[i].approach.empty()) leaps.push_back(i);
+  }
+  return Coverage{swath_route(*swaths, swath), swaths->direction_deg, std::move(leaps),
                   SweepFigures{.areas = swaths->areas,
                                .dropped = swaths->dropped,
                                .sprayed = swaths->sprayed,

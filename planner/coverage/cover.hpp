@@ -27,7 +27,10 @@ struct SweepFigures {
 
 struct Coverage {
   Route route;
-  double direction_deg;               ///< Heading of the strips, clockwise from north.
+  double direction_deg;  ///< Heading of the strips, clockwise from north.
+  /// Strips that no way inside the land leads to from the strip before: of the grid model all that
+  /// do not continue it, of the swath model the first of each further part of the field.
+  std::vector<std::size_t> leaps;
   std::optional<SweepFigures> sweep;  ///< Of the swath model.
 };
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <geos_c.h>
 #include <memory>
+#include <numbers>
 
 namespace furrow::planner {
 namespace {
@@ -184,15 +185,19 @@ LandParts offset(const LandParts& land, double distance_m) {
   constexpr double mitre_limit = 10.0;  // sharper corners than 12 degrees are cut off
   const Session geos;
   const auto shape = geos.polygons(land);
-  const auto with = [&](int join) {
-    return geos.owned(GEOSBufferWithStyle_r(geos.context(), shape.get(), distance_m,
+  const auto with = [&](int join, double away_m) {
+    return geos.owned(GEOSBufferWithStyle_r(geos.context(), shape.get(), away_m,
                                             segments_per_quarter, GEOSBUF_CAP_FLAT, join,
                                             mitre_limit));
   };
+  auto made = with(GEOSBUF_JOIN_MITRE, distance_m);
   // GEOS 3.11 loses a hole now and then where a neck is nearly nothing wide. The outcome is then
-  // invalid, and that of round corners has proved right.
-  auto made = with(GEOSBUF_JOIN_MITRE);
-  if (made && GEOSisValid_r(geos.context(), made.get()) != 1) made = with(GEOSBUF_JOIN_ROUND);
+  // invalid, and that of round corners has proved right. Their chords keep the distance too.
+  if (made && GEOSisValid_r(geos.context(), made.get()) != 1) {
+    const double chord = std::cos(std::numbers::pi / 4 / segments_per_quarter);
+    made = with(GEOSBUF_JOIN_ROUND, distance_m / chord);
+    require(made && GEOSisValid_r(geos.context(), made.get()) == 1, "GEOS widens sound land");
+  }
   return geos.parts_of(made.get());
 }
 

@@ -197,7 +197,7 @@ TEST_CASE("CSV holds a row for every point, from home to the landing") {
   std::istringstream file{mission_file(track(), frame(), MissionFormat::csv)};
   std::string line;
   std::getline(file, line);
-  REQUIRE(line == "uav,sortie,point,lon_deg,lat_deg,altitude_m,spraying,speed_mps");
+  REQUIRE(line == "uav,sortie,point,lon_deg,lat_deg,altitude_m,spraying,speed_mps,width_m");
   std::vector<Leg> legs;
   bool is_spraying = false;
   for (int row = 0; std::getline(file, line); ++row) {
@@ -214,6 +214,25 @@ TEST_CASE("CSV holds a row for every point, from home to the landing") {
     is_spraying = cells[6] == 1;
   }
   check_course(legs);
+}
+
+TEST_CASE("GeoJSON and CSV tell where only a part of the boom is open, and how wide") {
+  SortieTrack narrow = track();
+  narrow.points[2].width = metres(1.5);
+  const auto file =
+      nlohmann::json::parse(mission_file(narrow, frame(), MissionFormat::geojson)).at("features");
+  REQUIRE(file.size() == 5);  // ferry, spray, ferry, narrow spray, ferry
+  CHECK_FALSE(file[1].at("properties").contains("width_m"));
+  CHECK(file[3].at("properties").at("width_m") == 1.5);
+
+  std::istringstream rows{mission_file(narrow, frame(), MissionFormat::csv)};
+  std::string row;
+  for (int i = 0; i < 5; ++i) std::getline(rows, row);  // the header, home, three points
+  CHECK(row.ends_with(",1,3,1.5"));
+  for (const auto format :
+       {MissionFormat::qgc_plan, MissionFormat::waypoints, MissionFormat::kml}) {
+    CHECK_FALSE(tells_width(format));
+  }
 }
 
 TEST_CASE("A valve still open at the last point is closed there") {

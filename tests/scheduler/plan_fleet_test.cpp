@@ -142,6 +142,38 @@ TEST_CASE("plan_fleet: ferries of a walk lead around what lies between its cells
   CHECK(led > 0);
 }
 
+TEST_CASE("plan_fleet: ways between parts of a split field lead around obstacles", "[scheduler]") {
+  FleetProblem p = problem(300, 100, 1);
+  // Two squares joined by a neck of 10 m, too narrow for a margin of 6 m; between their tops, over
+  // foreign land, a pylon.
+  p.field.boundary = {at_m(0, 0),    at_m(100, 0),  at_m(100, 45),  at_m(200, 45),
+                      at_m(200, 0),  at_m(300, 0),  at_m(300, 100), at_m(200, 100),
+                      at_m(200, 55), at_m(100, 55), at_m(100, 100), at_m(0, 100)};
+  p.field.obstacles = {{"pylon", at_m(150, 94), metres(5)}};
+  p.coverage = planner::SwathSettings{.margin = metres(6)};
+  p.work_direction_deg.reset();
+  const auto plan = plan_fleet(p);
+  REQUIRE(plan);
+  REQUIRE(plan->sweep->parts == 2);
+  int between_parts = 0;
+  for (std::size_t i = 1; i < plan->route.strips.size(); ++i) {
+    const planner::Strip& before = plan->route.strips[i - 1];
+    const planner::Strip& strip = plan->route.strips[i];
+    std::vector<FieldPoint> way{before.end};
+    way.insert(way.end(), strip.approach.begin(), strip.approach.end());
+    way.push_back(strip.begin);
+    between_parts += before.end.x < metres(150) && strip.begin.x > metres(150);
+    for (std::size_t k = 1; k < way.size(); ++k) {
+      for (double share = 0; share <= 1; share += 0.01) {
+        const FieldPoint at = way[k - 1] + FieldVector{share * (way[k] - way[k - 1]).x,
+                                                       share * (way[k] - way[k - 1]).y};
+        CHECK(distance(at, at_m(150, 94)) > metres(5));
+      }
+    }
+  }
+  CHECK(between_parts == 1);
+}
+
 TEST_CASE("plan_fleet: the same problem gives the same plan", "[scheduler]") {
   const FleetProblem p = problem(80, 300, 3);
   const auto a = plan_fleet(p), b = plan_fleet(p);

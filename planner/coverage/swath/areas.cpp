@@ -144,7 +144,7 @@ SprayedAreas sprayed_areas(const std::vector<SprayedRun>& runs, const LandParts&
   const double covered_m2 = once_m2 - outside_m2;
   return {.sprayed = square_metres(sprayed_m2),
           .covered = square_metres(covered_m2),
-          .missed = square_metres(area_m2(land) - covered_m2),
+          .missed = square_metres(std::max(0.0, area_m2(land) - covered_m2)),
           .repeated = square_metres(std::max(0.0, sprayed_m2 - once_m2)),
           .outside = square_metres(outside_m2)};
 }
