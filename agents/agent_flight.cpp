@@ -179,6 +179,7 @@ void AgentNode::stray(Instant t) {
 void AgentNode::return_to_line(Instant t) {
   is_astray_ = false;
   if (phase_ == Phase::fly_back) return go_home();
+  if (is_recalled()) return leave(CloseReason::recalled, t);
   if (++strays_ > most_strays) {
     is_unfit_ = true;
     return leave(CloseReason::strayed, t);
@@ -237,9 +238,10 @@ void AgentNode::leave(CloseReason reason, Instant t) {
   const auto& stores = aircraft_.stores;
   if (reason != CloseReason::superseded) {
     note("return_early",
-         (reason == CloseReason::tank_low  ? "returns for mix, "
-          : reason == CloseReason::strayed ? "cannot be held on its line and returns, "
-                                           : "returns for energy, ") +
+         (reason == CloseReason::tank_low   ? "returns for mix, "
+          : reason == CloseReason::strayed  ? "cannot be held on its line and returns, "
+          : reason == CloseReason::recalled ? "is called home by the operator, "
+                                            : "returns for energy, ") +
              fixed(100.0 * stores.tank_share, 1) + " % of a tank and " +
              fixed(100.0 * stores.pack_share, 1) + " % of a pack left");
   }
@@ -272,7 +274,7 @@ void AgentNode::come_to_rest(Instant t) {
     route_->pieces.clear();
     if (order_->is_finished()) return fly_home(t);
     phase_ = Phase::hold;
-    return relicense();
+    return is_recalled() ? leave(CloseReason::recalled, t) : relicense();
   }
   if (leaving_) return fly_home(t);
   if (is_astray_) return return_to_line(t);
@@ -285,7 +287,9 @@ void AgentNode::begin_hold(Instant t) {
   phase_ = Phase::hold;
   if (is_valve_open_) move_valve(false, t);
   flush_flight_log();
-  note("hold_begun", "waits in the air for a grant of cell " + std::to_string(order_->next_cell()));
+  const char* why = level_ == FleetLevel::hold ? "holds, as the operator orders, before cell "
+                                               : "waits in the air for a grant of cell ";
+  note("hold_begun", why + std::to_string(order_->next_cell()));
 }
 
 void AgentNode::end_hold() {
@@ -326,8 +330,8 @@ void AgentNode::follow(SortieRoute route) {
 
 // Where grants let the aircraft go from now on.
 void AgentNode::relicense() {
-  if (!is_airborne() || phase_ == Phase::fly_back || leaving_ || is_astray_ || !is_licensed())
-    return;
+  if (!is_airborne() || phase_ == Phase::fly_back || leaving_ || is_astray_) return;
+  if (!may_work() || !is_licensed()) return;
   if (route_->pieces.empty()) {  // hovers without a way: a new order came
     const auto rest = order_->rest_of_sortie();
     home_ = haven();

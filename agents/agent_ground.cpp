@@ -105,7 +105,7 @@ void AgentNode::live_until(Instant now) {
     if (is_airborne() || phase_ == Phase::offline) return;
     if (visit_ && visit_->is_served(now)) {
       leave_bay();
-    } else if (is_prepared_ && is_licensed()) {
+    } else if (is_prepared_ && is_licensed() && may_work()) {
       try_take_off(ready_);
       if (!is_airborne()) return;
     } else {
@@ -169,7 +169,8 @@ void AgentNode::leave_bay() {
   report_sortie();
   is_prepared_ = true;
   phase_ = Phase::wait;
-  if (order_->is_finished()) finish(ready_);
+  if (order_->is_finished()) return finish(ready_);
+  if (is_dismissed()) dismiss(ready_);
 }
 
 // The station cannot help it: it goes to another, or flies with what it has, as far as that goes.
@@ -187,6 +188,7 @@ void AgentNode::go_without(Instant t) {
 
 // Flies to the nearest station that has not refused it. @return Whether there is one within reach.
 bool AgentNode::go_elsewhere(Instant t) {
+  if (!may_work()) return false;
   const FieldPoint here = field_point(aircraft_.estimate_m());
   const Station* other = nearest_open(here);
   if (other == nullptr) return false;
@@ -311,6 +313,7 @@ void AgentNode::land(Instant t) {
   sortie_.ferried = metres(flown_m_ + aircraft_.pilot().pace().along_m()) - sortie_.sprayed;
   if (order_->is_finished()) return finish(t);
   if (is_unfit_) return leave_fleet(t);
+  if (is_dismissed()) return dismiss(t);
   phase_ = Phase::wait;
   prepare(t);
 }

@@ -31,6 +31,7 @@ Outbox AgentNode::step(const Inbox& inbox, Instant now) {
 void AgentNode::receive(const Body& body, Instant now) {
   if (const auto* command = std::get_if<Command>(&body)) adopt(*command, now);
   if (const auto* state = std::get_if<SchedulerState>(&body)) receive_scheduler(*state, now);
+  if (const auto* state = std::get_if<OperatorState>(&body)) obey(*state, now);
   if (const auto* grant = std::get_if<WorkGrant>(&body)) {
     const bool is_mine = grant->agent == vehicle_.id && grant->target_boot == settings_.boot;
     if (is_mine && order_ && ledger_.accept(*grant, *order_)) {

@@ -85,6 +85,16 @@ class AgentNode {
   void meet_blockage(Instant t);
   double before_blockage_m(double stop_m) const;
 
+  // agent_operator.cpp: what the operator lets it do.
+  void obey(const OperatorState& state, Instant now);
+  void come_home(Instant t);
+  void pause();
+  void go_on(Instant t);
+  void dismiss(Instant t);
+  bool may_work() const { return level_ == FleetLevel::fly && !is_taken_out_; }
+  bool is_dismissed() const { return level_ == FleetLevel::end || is_taken_out_; }
+  bool is_recalled() const { return level_ == FleetLevel::land || is_dismissed(); }
+
   // agent_ground.cpp: orders, stations, take-off.
   struct Demand {
     bool swap;
@@ -132,6 +142,12 @@ class AgentNode {
   bool is_running_ = false;  // its command has been taken to the air
   AckStatus last_ack_ = AckStatus::received;
   std::string last_ack_reason_;
+
+  // What the operator lets it do.
+  FleetLevel level_ = FleetLevel::fly;
+  bool is_taken_out_ = false;
+  Epoch level_epoch_{};
+  std::uint32_t level_revision_ = 0;
 
   // The flight under way.
   Instant last_tick_{};

@@ -78,6 +78,7 @@ void AgentNode::swerve(SortieRoute route) {
     stop_m_ = before_blockage_m(leaving_stop_m());
   } else {
     stop_m_ = before_blockage_m(licensed_stop_m());
+    if (!may_work()) stop_m_ = leaving_stop_m();
   }
 }
 

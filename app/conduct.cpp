@@ -50,6 +50,10 @@ std::vector<std::string> shortcomings(const Result& result, const std::vector<En
     const auto* const event = std::get_if<Event>(&envelope.body);
     if (event == nullptr) continue;
     if (event->kind == "mission_limit") all.push_back(event->detail);
+    if (event->kind == "mission_stopped") {
+      all.push_back(fmt::format("the operator stopped the mission at {:.1f} s",
+                                seconds(envelope.sent).base()));
+    }
   }
   for (const auto& expectation : result.expectations) {
     if (!expectation.met) all.push_back("expectation missed: " + expectation.message);
@@ -72,7 +76,8 @@ std::vector<std::string> losses(const std::vector<Envelope>& log) {
     if (event->kind == "agent_lost") {
       all.push_back(fmt::format("lost at {:.1f} s: {}", at_s, event->detail));
     }
-    if (event->kind == "bay_down" || event->kind == "not_served") {
+    if (event->kind == "bay_down" || event->kind == "not_served" ||
+        event->kind == "agent_taken_out" || event->kind == "order_refused") {
       all.push_back(fmt::format("at {:.1f} s: {}", at_s, event->detail));
     }
     if (event->kind == "cells_uncertain") {

@@ -22,9 +22,20 @@ struct Recipient {
   bool operator()(const SortieReport&) const { return false; }
   bool operator()(const FlightRecord&) const { return false; }
   bool operator()(const ObstacleSeen&) const { return is_scheduler(); }
+  bool operator()(const OperatorState&) const { return to.kind == NodeKind::agent; }
 };
 
 }  // namespace
+
+std::string_view name(FleetLevel level) {
+  switch (level) {
+    case FleetLevel::fly: return "fly";
+    case FleetLevel::hold: return "hold";
+    case FleetLevel::land: return "land";
+    case FleetLevel::end: return "end";
+  }
+  return "unknown";
+}
 
 bool is_recipient(NodeId to, const Envelope& envelope) {
   return std::visit(Recipient{to}, envelope.body);

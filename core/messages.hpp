@@ -108,6 +108,7 @@ enum class CloseReason : std::uint8_t {
   superseded = 4,   ///< A newer revision or epoch took over.
   strayed = 5,      ///< It could not be held on its line.
   blocked = 6,      ///< An obstacle stands there, with no room for a detour.
+  recalled = 7,     ///< The operator called the aircraft home.
 };
 
 /// What became of a granted window. The evidence on which the ledger rests.
@@ -190,6 +191,41 @@ struct SchedulerState {
   std::vector<AgentId> lost;
 };
 
+/// What the operator lets the fleet do. The value travels on the wire.
+enum class FleetLevel : std::uint8_t {
+  fly = 0,   ///< Work as planned.
+  hold = 1,  ///< Paused: who is at work hovers, valve closed; nobody takes off.
+  land = 2,  ///< All at stations, their work kept for when the level is `fly` again.
+  end = 3,   ///< All at stations for good, and the mission is over.
+};
+
+/// Its word in logs and results.
+std::string_view name(FleetLevel level);
+
+/// What the operator can ask for.
+enum class OperatorAsk : std::uint8_t {
+  pause = 1,       ///< The level `hold`.
+  resume = 2,      ///< The level `fly`.
+  return_all = 3,  ///< The level `land`.
+  stop = 4,        ///< The level `end`, which is final.
+  take_out = 5,    ///< One aircraft goes home for good, the others are given its work.
+};
+
+struct OperatorOrder {
+  OperatorAsk ask;
+  AgentId agent{};  ///< To be taken out; meaningless otherwise.
+};
+
+/// What the operator wants, as far as the scheduler has heard it. A level: sent when it changes and
+/// with every heartbeat of the scheduler from then on, so it reaches whoever was out of hearing or
+/// comes late.
+struct OperatorState {
+  Epoch epoch;
+  std::uint32_t revision;  ///< 1, 2, 3, ... per epoch; a lower one is out of date.
+  FleetLevel level;
+  std::vector<AgentId> taken_out;  ///< To go home for good; ids rising.
+};
+
 /// Something worth a line in the log.
 struct Event {
   std::string kind;    ///< snake_case, stable: "agent_lost", "sortie_begun", ...
@@ -255,13 +291,13 @@ struct ObstacleSeen {
 
 using Body = std::variant<AgentInfo, AgentState, Command, CommandAck, WorkGrant, WorkReport,
                           ServiceClaim, ServiceGrant, StationState, SchedulerState, Event,
-                          SortieReport, FlightRecord, ObstacleSeen>;
+                          SortieReport, FlightRecord, ObstacleSeen, OperatorState>;
 
 /// The last part of the topic's name, by the body's index.
 inline constexpr std::array<std::string_view, std::variant_size_v<Body>> topics{
     "agent_info",  "agent_state",   "command",       "command_ack",   "work_grant",
     "work_report", "service_claim", "service_grant", "station_state", "scheduler_state",
-    "event",       "sortie_report", "flight_record", "obstacle_seen"};
+    "event",       "sortie_report", "flight_record", "obstacle_seen", "operator_state"};
 
 constexpr std::string_view topic(const Body& body) { return topics[body.index()]; }
 

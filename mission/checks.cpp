@@ -120,7 +120,7 @@ void check_station_faults(const Draft& draft) {
   const std::vector<Station>& stations = draft.scenario.stations;
   for (std::size_t i = 0; i < draft.faults.size(); ++i) {
     const Fault& fault = draft.scenario.faults[i];
-    if (fault.target.kind == NodeKind::agent) continue;
+    if (fault.target.kind != NodeKind::station) continue;
     const auto station = std::find_if(stations.begin(), stations.end(),
                                       [&](const Station& s) { return node(s.id) == fault.target; });
     if (station == stations.end()) {

@@ -66,6 +66,27 @@ agents::AvoidanceRule avoidance_rule(const Scenario& scenario) {
           .turn_radius = swath->avoidance->turn_radius};
 }
 
+std::optional<OperatorAsk> ask(Fault::Kind kind) {
+  switch (kind) {
+    case Fault::Kind::pause: return OperatorAsk::pause;
+    case Fault::Kind::resume: return OperatorAsk::resume;
+    case Fault::Kind::return_all: return OperatorAsk::return_all;
+    case Fault::Kind::stop: return OperatorAsk::stop;
+    case Fault::Kind::take_out: return OperatorAsk::take_out;
+    default: return std::nullopt;
+  }
+}
+
+std::vector<scheduler::TimedOrder> operator_orders(const Scenario& scenario) {
+  std::vector<scheduler::TimedOrder> orders;
+  for (const Fault& fault : scenario.faults) {
+    if (const auto asked = ask(fault.kind)) {
+      orders.push_back({fault.at, {.ask = *asked, .agent = AgentId{fault.target.number}}});
+    }
+  }
+  return orders;
+}
+
 std::optional<planner::SurveySettings> survey_of(const Scenario& scenario) {
   constexpr std::uint64_t purpose = 0x737572766579;  // "survey"
   auto survey = scenario.survey;
@@ -126,7 +147,8 @@ AnyNode scheduler_node(const Scenario& scenario, const scheduler::FleetPlan& pla
   return AnyNode{scheduler::SchedulerNode{{.plan = plan,
                                            .epoch = first_epoch,
                                            .agent_lease = scenario.agent_lease,
-                                           .mission_limit = scenario.mission_limit}}};
+                                           .mission_limit = scenario.mission_limit,
+                                           .orders = operator_orders(scenario)}}};
 }
 
 AnyNode supply_node(const Scenario& scenario, StationId station) {

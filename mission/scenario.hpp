@@ -21,16 +21,21 @@
 
 namespace furrow::mission {
 
-/// What goes wrong, and when. A fault unknown to this build is an input error.
+/// What goes wrong or the operator orders, and when. One unknown to this build is an input error.
 struct Fault {
   enum class Kind {
     agent_kill,  ///< It falls silent for good.
     agent_join,  ///< It is not there before.
     bay_down,    ///< Takes nobody more; who is in it is served to the end.
+    pause,       ///< The operator's orders from here on.
+    resume,
+    return_all,
+    stop,
+    take_out,  ///< The only one with a target.
   };
   Instant at;
   Kind kind;
-  NodeId target;          ///< An agent, or the station of the bay.
+  NodeId target;          ///< An agent, the station of the bay, or the scheduler, who takes orders.
   std::uint32_t bay = 0;  ///< 0: all of the station.
 };
 

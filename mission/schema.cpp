@@ -347,21 +347,30 @@ Link read_link(const Section& s) {
           .duplication = s.number("duplicate", from_below(0, 1), 0)};
 }
 
+// Orders to the whole fleet have none.
+NodeId read_target(const Section& s, Fault::Kind kind) {
+  if (kind >= Fault::Kind::pause && kind <= Fault::Kind::stop) {
+    s.refuse("target", "must be left out of orders to the whole fleet");
+    return scheduler_node();
+  }
+  const bool is_of_station = kind == Fault::Kind::bay_down;
+  const auto target = s.whole("target", 1, is_of_station ? most_id : most_uavs);
+  return is_of_station ? node(static_cast<StationId>(target)) : node(static_cast<AgentId>(target));
+}
+
 void read_faults(const Section& root, Draft& draft) {
   std::vector<std::pair<Fault, Section>> found;
   for (const auto& s : root.list("faults", 0, most_entries)) {
     const auto at = s.number("at_s", from_to(0, 10'000'000));
     const auto kind =
-        static_cast<Fault::Kind>(s.choice("kind", {"agent_kill", "agent_join", "bay_down"}));
-    const bool is_of_station = kind == Fault::Kind::bay_down;
-    const auto target = s.whole("target", 1, is_of_station ? most_id : most_uavs);
-    Fault fault{.at = instant(seconds(at)),
-                .kind = kind,
-                .target = is_of_station ? node(static_cast<StationId>(target))
-                                        : node(static_cast<AgentId>(target))};
+        static_cast<Fault::Kind>(s.choice("kind", {"agent_kill", "agent_join", "bay_down", "pause",
+                                                   "resume", "return_all", "stop", "take_out"}));
+    Fault fault{.at = instant(seconds(at)), .kind = kind, .target = read_target(s, kind)};
     const auto bay = s.optional_whole("bay", 1, 100, "all");
     fault.bay = static_cast<std::uint32_t>(bay.value_or(0));
-    if (bay && !is_of_station) s.fail("bay", "must be left out where the kind is not bay_down");
+    if (bay && kind != Fault::Kind::bay_down) {
+      s.fail("bay", "must be left out where the kind is not bay_down");
+    }
     found.emplace_back(fault, s);
   }
   std::stable_sort(found.begin(), found.end(),

@@ -73,7 +73,7 @@ void SchedulerNode::share_out(Instant now, Outbox& out) {
 
 bool SchedulerNode::can_take_more(const Member& m, Instant now) const {
   const bool is_heard = m.boot && now - m.last_heard < settings_.agent_lease;
-  return is_heard && !m.lost && m.phase != Phase::offline;
+  return is_heard && !m.lost && !m.is_out && m.phase != Phase::offline;
 }
 
 /// Gives those who came late a share of what is left.
@@ -210,8 +210,6 @@ void SchedulerNode::revise(Member& m) {
   m.accepted = false;
   m.commanded_at.reset();
 }
-
-/// Sends the agent what it lacks.
 
 /// Takes cells that an obstacle blocks out of the list; what lies behind them is a piece of its
 /// own.

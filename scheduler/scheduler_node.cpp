@@ -69,8 +69,11 @@ Outbox SchedulerNode::step(const Inbox& inbox, Instant now) {
   Outbox out;
   if (phase_ != MissionPhase::finished) {
     for (const Envelope& envelope : inbox) hear(envelope, now, out);
+    take_orders(now, out);
     check_leases(now, out);
     gather(now, out);
+    hand_over();
+    wind_up(out);
     share_out(now, out);
     welcome(now, out);
     if (phase_ == MissionPhase::flying) {
@@ -113,7 +116,7 @@ void SchedulerNode::hear(const AgentState& state, Instant now, Outbox& out) {
   m->phase = state.phase;
   const bool follows = state.epoch == settings_.epoch && state.revision == m->revision;
   if (follows) m->accepted = true;
-  if (state.phase == Phase::offline && has_work_left(*m)) {
+  if (state.phase == Phase::offline && has_work_left(*m) && !leaves_on_order(*m)) {
     lose(*m, "it left the fleet", out);
     return;
   }
@@ -225,10 +228,11 @@ void SchedulerNode::abandon(CellRange cells, std::string_view why, Outbox& out) 
 void SchedulerNode::direct(Member& m, Instant now, Outbox& out) {
   if (m.lost) return;
   if (!m.accepted) {
+    if (leaves_on_order(m)) return;
     if (is_due(m.commanded_at, now)) command(m, now, out);
     return;
   }
-  release(m);
+  if (!leaves_on_order(m)) release(m);
   if (m.owes_grant) send_grant(m, now, out);
 }
 
@@ -314,8 +318,10 @@ SchedulerState SchedulerNode::state() const {
 }
 
 void SchedulerNode::report_state(Instant now, Outbox& out) {
-  if (now < state_due_ && reported_phase_ == phase_) return;
+  const bool is_news = reported_phase_ != phase_ || reported_revision_ != level_revision_;
+  if (now < state_due_ && !is_news) return;
   if (phase_ == MissionPhase::finished && farewells_-- <= 0) return;
+  report_orders(out);
   out.messages.push_back(state());
   reported_phase_ = phase_;
   state_due_ = Instant{(now.time_since_epoch() / state_period + 1) * state_period};
@@ -325,6 +331,9 @@ Instant SchedulerNode::next_wake(Instant now) const {
   if (phase_ == MissionPhase::finished) return farewells_ > 0 ? state_due_ : never;
   Instant next = std::min(state_due_, Instant{settings_.mission_limit});
   if (phase_ == MissionPhase::gathering) next = std::min(next, Instant{settings_.gather_time});
+  if (orders_taken_ < settings_.orders.size()) {
+    next = std::min(next, settings_.orders[orders_taken_].at);
+  }
   for (const Member& m : members_) {
     if (is_leased(m)) next = std::min(next, m.last_heard + settings_.agent_lease);
   }

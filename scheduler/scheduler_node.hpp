@@ -12,6 +12,12 @@
 
 namespace furrow::scheduler {
 
+/// An order that is known before the mission.
+struct TimedOrder {
+  Instant at;
+  OperatorOrder order;
+};
+
 struct SchedulerSettings {
   FleetPlan plan;
   Epoch epoch;             ///< Of this incarnation, > 0.
@@ -19,6 +25,7 @@ struct SchedulerSettings {
   Duration mission_limit;  ///< The mission is given up after this mission time; > 0.
   Duration gather_time{std::chrono::seconds{10}};  ///< An agent not heard of by then is lost.
   std::uint32_t windows_ahead = 2;                 ///< Open windows per agent, >= 1.
+  std::vector<TimedOrder> orders{};                ///< Of the operator, in order of time.
 };
 
 /// The scheduler of a mission as a node.
@@ -40,6 +47,10 @@ struct SchedulerSettings {
 /// An obstacle that an aircraft meets is told to all that still fly or will, by a new revision with
 /// the same work. Where it blocks a strip, the cells beside it are given up, and the rest of the
 /// strip is flown to from behind it, next in the list of the aircraft that met it.
+///
+/// What the operator orders becomes a level that every agent is told again and again. An agent that
+/// is taken out closes its windows on the way home; the rest of its list is shared over the others.
+/// Once the operator has stopped the mission, what is not sprayed is given up.
 ///
 /// The mission is finished when every cell is sprayed or given up and every living agent is down;
 /// completed when none was given up but what is uncertain. Cells that the route leaves out are
@@ -67,7 +78,8 @@ class SchedulerNode {
     Phase phase = Phase::idle;
     bool accepted = false;  ///< The revision.
     bool lost = false;
-    bool joins = false;  ///< Comes late, and has no share of the work yet.
+    bool joins = false;   ///< Comes late, and has no share of the work yet.
+    bool is_out = false;  ///< The operator has taken it out.
     std::optional<Instant> commanded_at{}, granted_at{};
     bool owes_grant = false;  ///< The level has changed since it was last sent.
   };
@@ -79,6 +91,17 @@ class SchedulerNode {
   void hear(const CommandAck& ack, Instant now, Outbox& out);
   void hear(const WorkReport& report, Instant now, Outbox& out);
   void hear(const ObstacleSeen& seen, Instant now, Outbox& out);
+
+  // operator_orders.cpp
+  void take_orders(Instant now, Outbox& out);
+  void take(const OperatorOrder& order, Outbox& out);
+  std::string refusal(const OperatorOrder& order) const;
+  void set_level(FleetLevel level, std::string_view kind, std::string_view what, Outbox& out);
+  void take_out(AgentId agent, Outbox& out);
+  void hand_over();
+  void wind_up(Outbox& out);
+  void report_orders(Outbox& out);
+  bool leaves_on_order(const Member& m) const { return m.is_out || level_ == FleetLevel::end; }
 
   void gather(Instant now, Outbox& out);
   void check_leases(Instant now, Outbox& out);
@@ -117,6 +140,9 @@ class SchedulerNode {
   std::vector<CellRange> orphans_{};       ///< Open cells of lost agents, not yet shared out.
   std::vector<KeptObstacle> obstacles_{};  ///< Met in flight, in the order heard of.
   std::vector<std::uint32_t> losses_;      ///< By strip: agents lost at work on it.
+  FleetLevel level_ = FleetLevel::fly;
+  std::uint32_t level_revision_ = 0, reported_revision_ = 0;
+  std::size_t orders_taken_ = 0;  ///< Of the settings' orders.
   MissionPhase phase_ = MissionPhase::gathering;
   std::optional<MissionPhase> reported_phase_{};
   Instant state_due_{};

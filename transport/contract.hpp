@@ -60,6 +60,7 @@ inline constexpr std::array<TopicContract, topic_count> contract{{
     {"sortie_report",    role::agents,    role::none,                    {256, true}, {64}},
     {"flight_record",    role::agents,    role::none,                    {256, true}, {64}},
     {"obstacle_seen",    role::agents,    role::scheduler,               {256, true}, {64}},
+    {"operator_state",   role::scheduler, role::agents,                  {1},         {64}},
 }};
 // clang-format on
 

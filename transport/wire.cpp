@@ -55,7 +55,8 @@ FURROW_WIRE(10)
 FURROW_WIRE(11)
 FURROW_WIRE(12)
 FURROW_WIRE(13)
+FURROW_WIRE(14)
 #undef FURROW_WIRE
-static_assert(std::variant_size_v<Body> == 14);
+static_assert(std::variant_size_v<Body> == 15);
 
 }  // namespace furrow::transport

@@ -186,7 +186,7 @@ void fields(D& d, Seen<D, WorkReport>& m, fleet::v1::WorkReport& w) {
     s(closure.grant, c.grant_id());
     fields(s, closure.cells, c.cells());
     s(closure.sprayed, c.sprayed_cells());
-    s.bounded(closure.reason, c.reason(), CloseReason::sprayed, CloseReason::blocked);
+    s.bounded(closure.reason, c.reason(), CloseReason::sprayed, CloseReason::recalled);
     s(closure.at, c.at_ns());
   });
 }
@@ -305,6 +305,15 @@ void fields(D& d, Seen<D, ObstacleSeen>& m, fleet::v1::ObstacleSeen& w) {
   d(m.revision, w.revision());
   fields(d, m.obstacle, w.obstacle());
   d(m.clearance, w.clearance_m());
+}
+
+template <class D>
+void fields(D& d, Seen<D, OperatorState>& m, fleet::v1::OperatorState& w) {
+  d(m.epoch, w.header().epoch());
+  d(m.revision, w.revision());
+  d.bounded(m.level, w.level(), FleetLevel::fly, FleetLevel::end);
+  d.sequence(m.taken_out, w.taken_out_agents(),
+             [](D& s, auto& agent, std::uint32_t& a) { s(agent, a); });
 }
 
 }  // namespace furrow::transport

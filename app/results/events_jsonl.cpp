@@ -33,6 +33,7 @@ const char* name(CloseReason reason) {
     case CloseReason::superseded: return "superseded";
     case CloseReason::strayed: return "strayed";
     case CloseReason::blocked: return "blocked";
+    case CloseReason::recalled: return "recalled";
   }
   return "unknown";
 }
@@ -147,6 +148,12 @@ struct Details {
     line["center_m"] = point(m.obstacle.center);
     line["radius_m"] = rounded(m.obstacle.radius.base());
     line["clearance_m"] = rounded(m.clearance.base());
+  }
+  void operator()(const OperatorState& m) {
+    line["revision"] = m.revision;
+    line["level"] = furrow::name(m.level);
+    line["taken_out"] = Json::array();
+    for (const AgentId agent : m.taken_out) line["taken_out"].push_back(number(agent));
   }
   void operator()(const AgentState&) {}
   void operator()(const StationState&) {}

@@ -97,6 +97,8 @@ class Reader {
     for (const AgentId id : state.lost) flown_.lost.emplace(id, now_);
   }
 
+  void take(const OperatorState& state) { flown_.ordered = state; }
+
   template <class Other>
   void take(const Other&) {}
 

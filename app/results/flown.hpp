@@ -36,8 +36,9 @@ struct Flown {
   std::optional<SchedulerState> last_word;
   std::map<StationId, StationState> stations;  ///< The last of each.
   std::map<AgentId, Instant> lost;             ///< When the scheduler first said so.
-  double last_spray_s;                         ///< Mission time of the last sprayed cell.
-  double ended_s;                              ///< Mission time of the last message.
+  OperatorState ordered;  ///< The last word of the operator; `fly` without one.
+  double last_spray_s;    ///< Mission time of the last sprayed cell.
+  double ended_s;         ///< Mission time of the last message.
 };
 
 /// Reads the log once. Cells that the route does not have are passed over.

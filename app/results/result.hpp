@@ -152,6 +152,12 @@ struct ExpectationFigures {
   std::string message;  ///< Why it is missed; empty when met.
 };
 
+/// What the operator wanted at the end.
+struct OperatorFigures {
+  std::string level;  ///< "fly" unless ordered otherwise.
+  std::vector<std::uint32_t> taken_out;
+};
+
 /// Of a survey.
 struct SurveyFigures {
   std::uint32_t way_points;
@@ -182,6 +188,7 @@ struct Result {
   Timing timing;
   double real_time_factor;
   std::vector<FaultFigures> faults;
+  OperatorFigures ordered;
   std::vector<ExpectationFigures> expectations;
 };
 

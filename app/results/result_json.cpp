@@ -238,6 +238,7 @@ std::string result_json(const Result& r) {
            {"log", {{"messages", r.log.messages}, {"digest", r.log.digest}}},
            {"timing", timing(r)},
            {"faults", list<FaultFigures>(r.faults, json)},
+           {"operator", {{"level", r.ordered.level}, {"taken_out", r.ordered.taken_out}}},
            {"expectations", list<ExpectationFigures>(r.expectations, json)}};
   if (r.survey) all["survey"] = json(*r.survey);
   // A name that is not UTF-8 must not stop the results of a mission from being written.

@@ -23,6 +23,11 @@ const char* name(mission::Fault::Kind kind) {
     case mission::Fault::Kind::agent_kill: return "agent_kill";
     case mission::Fault::Kind::agent_join: return "agent_join";
     case mission::Fault::Kind::bay_down: return "bay_down";
+    case mission::Fault::Kind::pause: return "pause";
+    case mission::Fault::Kind::resume: return "resume";
+    case mission::Fault::Kind::return_all: return "return_all";
+    case mission::Fault::Kind::stop: return "stop";
+    case mission::Fault::Kind::take_out: return "take_out";
   }
   return "unknown";
 }
@@ -300,15 +305,28 @@ std::vector<StationFigures> station_figures(const MissionRecord& record, const F
   return stations;
 }
 
-// When an event of this kind first told of the node.
-std::optional<double> told_s(const std::vector<Envelope>& log, std::string_view kind, NodeId of) {
+// When an event of this kind first told of the node, at `from` or later.
+std::optional<double> told_s(const std::vector<Envelope>& log, std::string_view kind, NodeId of,
+                             Instant from = {}) {
   const std::string who = text(of) + " ";
   for (const Envelope& e : log) {
     const auto* event = std::get_if<Event>(&e.body);
-    if (event == nullptr || event->kind != kind) continue;
+    if (event == nullptr || event->kind != kind || e.sent < from) continue;
     if (event->detail.starts_with(who)) return seconds(e.sent).base();
   }
   return std::nullopt;
+}
+
+// The event by which the scheduler says that it obeys; none where nobody orders anything.
+std::string_view obeyed(mission::Fault::Kind kind) {
+  switch (kind) {
+    case mission::Fault::Kind::pause: return "fleet_paused";
+    case mission::Fault::Kind::resume: return "fleet_resumed";
+    case mission::Fault::Kind::return_all: return "fleet_recalled";
+    case mission::Fault::Kind::stop: return "mission_stopped";
+    case mission::Fault::Kind::take_out: return "agent_taken_out";
+    default: return {};
+  }
 }
 
 std::optional<double> noticed_s(const mission::Fault& fault, const MissionRecord& record,
@@ -316,6 +334,9 @@ std::optional<double> noticed_s(const mission::Fault& fault, const MissionRecord
   using Kind = mission::Fault::Kind;
   if (fault.kind == Kind::agent_join) return told_s(record.log, "agent_joined", fault.target);
   if (fault.kind == Kind::bay_down) return told_s(record.log, "bay_down", fault.target);
+  if (const std::string_view event = obeyed(fault.kind); !event.empty()) {
+    return told_s(record.log, event, fault.target, fault.at);
+  }
   const auto lost = flown.lost.find(AgentId{fault.target.number});
   if (lost == flown.lost.end()) return std::nullopt;
   return seconds(lost->second).base();
@@ -382,6 +403,8 @@ Result summary(const MissionRecord& record, const Flown& flown) {
   r.timing = record.timing;
   r.real_time_factor = record.timing.run_wall_s > 0 ? flown.ended_s / record.timing.run_wall_s : 0;
   r.faults = fault_figures(record, flown);
+  r.ordered.level = furrow::name(flown.ordered.level);
+  for (const AgentId agent : flown.ordered.taken_out) r.ordered.taken_out.push_back(number(agent));
   r.expectations = judged(record.scenario.expectations, r);
   return r;
 }

@@ -52,11 +52,13 @@ class StationLaws final : public Checker {
     books.claims[claim.agent] = {claim, is_same ? known->second.first_heard : at, at};
     if (claim.status != ClaimStatus::released) return;
     for (auto& [bay, holder] : books.holders) {
-      if (holder.grant.agent == claim.agent && holder.grant.token == claim.token &&
-          !holder.released) {
-        holder.released = at;
-      }
+      if (is_of(holder.grant, claim) && !holder.released) holder.released = at;
     }
+  }
+
+  // Who leaves the queue may not know yet that a bay was given to it.
+  static bool is_of(const ServiceGrant& grant, const ServiceClaim& claim) {
+    return grant.agent == claim.agent && grant.claim == claim.claim;
   }
 
   void observe_grant(const ServiceGrant& grant, Instant at) {
@@ -85,7 +87,9 @@ class StationLaws final : public Checker {
       }
       check_stock(books, grant.station, at);
     }
-    books.holders[grant.bay] = {grant, std::nullopt};
+    const bool has_left = claim != books.claims.end() && is_of(grant, claim->second.last) &&
+                          claim->second.last.status == ClaimStatus::released;
+    books.holders[grant.bay] = {grant, has_left ? std::optional{at} : std::nullopt};
   }
 
   void check_stock(const Books& books, StationId id, Instant at) {

@@ -156,9 +156,11 @@ class WorkLaws final : public Checker {
     if (known == vehicles_.end()) return;
     const Vehicle& vehicle = known->second;
     const Length slack = 0.5 * vehicle.swath + vehicle.gnss.bias + 4.0 * vehicle.gnss.sigma;
+    bool& was_open = was_open_[flown.agent];
     for (const TrackPoint& point : flown.track) {
+      const bool opens = !std::exchange(was_open, point.spraying);
       if (!point.spraying) continue;
-      open_valves_.insert({flown.agent, point.at});
+      if (!opens) open_valves_.insert({flown.agent, point.at});
       const std::string where = forbidden(facts_.field, point.position, slack);
       if (where.empty()) continue;
       report("L5", point.at,
@@ -168,7 +170,8 @@ class WorkLaws final : public Checker {
     }
   }
 
-  // A record of the flight comes after the heartbeat, so both are compared at the end.
+  // A record of the flight comes after the heartbeat, so both are compared at the end. A valve that
+  // opens at the very instant of a heartbeat may do so by a message that came after it.
   void observe_phase(const AgentState& state, Instant at) {
     if (state.phase != Phase::spray) closed_valves_.insert({state.agent, at});
   }
@@ -243,6 +246,7 @@ class WorkLaws final : public Checker {
   std::vector<double> cell_m_;  // sprayed per cell
   std::map<AgentId, Work> work_;
   std::vector<int> sprayed_, booked_;  // how often, by cell: in truth, and as closed
+  std::map<AgentId, bool> was_open_;
   std::set<std::pair<AgentId, Instant>> open_valves_, closed_valves_;  // by whom and when
   SchedulerState last_state_{};
 };

@@ -8,24 +8,6 @@
 namespace furrow::agents {
 namespace {
 
-// Steps an agent once a second under `told`, by second; everything that it says.
-std::vector<Envelope> told_by_second(AgentNode& agent, const std::map<int, std::vector<Body>>& told,
-                                     int to_s) {
-  std::vector<Envelope> log;
-  std::uint64_t seq = 0;
-  for (int s = 0; s < to_s; ++s) {
-    const Instant now = mission_start + s * second;
-    Inbox inbox;
-    if (const auto at = told.find(s); at != told.end()) {
-      for (const Body& body : at->second) inbox.push_back({scheduler_node(), ++seq, now, body});
-    }
-    for (Body& body : agent.step(inbox, now).messages) {
-      log.push_back({node(agent_7), log.size() + 1, now, std::move(body)});
-    }
-  }
-  return log;
-}
-
 TEST_CASE("agent: an old epoch and a foreign incarnation are not obeyed", "[agents]") {
   AgentNode agent{settings_of(sprayer())};
   const auto sorties = two_sorties(strips(3, 100), 149);

@@ -12,6 +12,7 @@
 namespace furrow::agents {
 
 inline constexpr Duration second{1'000'000'000};
+inline constexpr Instant mission_start{};
 inline constexpr AgentId agent_7{7};
 inline constexpr BootId boot_1{1};
 
@@ -201,6 +202,25 @@ inline std::vector<Envelope> fly(const AgentSettings& settings, ScriptedSchedule
   return log;
 }
 
+/// Steps an agent once a second under `told`, by second; everything that it says.
+inline std::vector<Envelope> told_by_second(AgentNode& agent,
+                                            const std::map<int, std::vector<Body>>& told,
+                                            int to_s) {
+  std::vector<Envelope> log;
+  std::uint64_t seq = 0;
+  for (int s = 0; s < to_s; ++s) {
+    const Instant now = mission_start + s * second;
+    Inbox inbox;
+    if (const auto at = told.find(s); at != told.end()) {
+      for (const Body& body : at->second) inbox.push_back({scheduler_node(), ++seq, now, body});
+    }
+    for (Body& body : agent.step(inbox, now).messages) {
+      log.push_back({node(agent_7), log.size() + 1, now, std::move(body)});
+    }
+  }
+  return log;
+}
+
 /// All messages of one kind, in order.
 template <class M>
 std::vector<M> all(const std::vector<Envelope>& log) {
@@ -235,7 +255,6 @@ inline std::vector<Phase> phases(const std::vector<Envelope>& log) {
   return entered;
 }
 
-inline constexpr Instant mission_start{};
 inline constexpr Instant an_hour = mission_start + 3600 * second;
 
 // Three strips of 100 cells, home after the 50th cell of the second.

@@ -314,6 +314,40 @@ class Deaths(Furrow):
                         processes_in(self.garden))
 
 
+class Operator(Furrow):
+    def ordered(self, *orders):
+        """Flies the garden under orders at set times, by sim and by run to the same bytes."""
+        text = GARDEN.read_text().replace("completed: true, missed_m2: {max: 0}", "")
+        path = self.scenario(text + f"faults: [{', '.join(orders)}]\n")
+        for command in ("sim", "run"):
+            done = furrow(command, path, "--quiet", "--out", self.out(command))
+            self.assertNotIn("law ", done.stderr)
+        self.assertEqual(without_timing(self.out("sim")), without_timing(self.out("run")))
+        self.assertEqual((self.out("sim") / "events.jsonl").read_bytes(),
+                         (self.out("run") / "events.jsonl").read_bytes())
+        return done, json.loads((self.out("run") / "result.json").read_text())
+
+    def test_a_pause_a_return_and_one_taken_out_leave_nothing_dry(self):
+        done, result = self.ordered("{at_s: 60, kind: pause}", "{at_s: 90, kind: resume}",
+                                    "{at_s: 150, kind: return_all}", "{at_s: 250, kind: resume}",
+                                    "{at_s: 300, kind: take_out, target: 2}")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(result["coverage"]["missed_m2"], 0)
+        self.assertEqual(result["coverage"]["repeated_m2"], 0)
+        self.assertEqual(result["operator"], {"level": "fly", "taken_out": [2]})
+        self.assertEqual([f["noticed_s"] for f in result["faults"]], [60, 90, 150, 250, 300])
+
+    def test_a_stop_ends_the_mission_and_says_so(self):
+        done, result = self.ordered("{at_s: 100, kind: stop}")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("the operator stopped the mission at 100.0 s", done.stderr)
+        self.assertFalse(result["completed"] or result["partial"])
+        self.assertEqual(result["operator"]["level"], "end")
+        self.assertGreater(result["coverage"]["missed_m2"], 0)
+        # Home within a minute from anywhere in the garden, 100 m at 6 m/s.
+        self.assertLess(max(uav["landed_s"] for uav in result["uavs"]), 160)
+
+
 class Paces(Furrow):
     def test_two_runs_at_once_do_not_mix(self):
         runs = [self.started("run", self.garden, "--quiet", "--out", self.out(str(i)))

@@ -8,6 +8,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <array>
 
 namespace furrow::sim {
 namespace {
@@ -174,6 +175,58 @@ void fly_random_faults(std::uint64_t first_seed, std::uint64_t runs) {
   }
   CHECK(lost >= runs);
   CHECK(taken_over >= runs);
+}
+
+/// One to five orders at any time, among aircraft that die; at last all may go on.
+std::vector<mission::Fault> random_orders(Random& random, const mission::Scenario& s,
+                                          double mission_s) {
+  using Kind = mission::Fault::Kind;
+  constexpr std::array kinds{Kind::pause, Kind::resume, Kind::return_all, Kind::take_out};
+  std::vector<mission::Fault> faults;
+  double at_s = 0.0;
+  for (std::uint64_t left = 1 + random.below(5); left > 0; --left) {
+    at_s += static_cast<double>(random.below(static_cast<std::uint64_t>(0.4 * mission_s)));
+    const Kind kind = kinds[random.below(kinds.size())];
+    const NodeId target =
+        kind == Kind::take_out ? node(s.uavs[random.below(s.uavs.size())].id) : scheduler_node();
+    faults.push_back({.at = instant(seconds(at_s)), .kind = kind, .target = target});
+  }
+  const Kind last = random.below(4) == 0 ? Kind::stop : Kind::resume;
+  faults.push_back({.at = instant(seconds(at_s + 60)), .kind = last, .target = scheduler_node()});
+  if (random.below(2) == 0) {
+    const auto more = random_faults(random, s, mission_s);
+    faults.insert(faults.end(), more.begin(), more.end());
+  }
+  return faults;
+}
+
+void fly_random_orders(std::uint64_t first_seed, std::uint64_t runs) {
+  mission::Scenario scenario = small_fleet();
+  const auto plan = scheduler::plan_fleet(mission::fleet_problem(scenario));
+  REQUIRE(plan);
+  std::size_t obeyed = 0, stopped = 0, completed = 0;
+  for (std::uint64_t seed = first_seed; seed < first_seed + runs; ++seed) {
+    CAPTURE(seed);
+    Random random{seed};
+    scenario.seed = seed;
+    scenario.faults = random_orders(random, scenario, plan->makespan_s);
+    bad_radio(scenario, random);
+    const Log log = flown(scenario, *plan);
+    const SchedulerState last = judged(scenario, *plan, log);
+    const std::size_t gone = last.lost.size() + count(log, "agent_taken_out");
+    const bool is_stopped = count(log, "mission_stopped") > 0;
+    if (!is_stopped && gone < scenario.uavs.size()) REQUIRE(last.completed);
+    obeyed += count(log, "fleet_paused") + count(log, "fleet_recalled");
+    stopped += is_stopped;
+    completed += last.completed;
+  }
+  CHECK(obeyed > runs / 2);
+  CHECK(stopped > runs / 10);
+  CHECK(completed > runs / 2);
+}
+
+TEST_CASE("random faults: what the operator orders loses no cell and sprays none twice", "[sim]") {
+  fly_random_orders(1, 300);
 }
 
 TEST_CASE("random faults: what lost aircraft leave is sprayed once, by the others", "[sim]") {

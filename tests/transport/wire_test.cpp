@@ -159,7 +159,11 @@ std::vector<Envelope> samples() {
                                    .epoch = Epoch{2},
                                    .revision = 5,
                                    .obstacle = {at_m(13, 14), metres(1.5)},
-                                   .clearance = metres(1.6)})};
+                                   .clearance = metres(1.6)}),
+          from(scheduler_node(), OperatorState{.epoch = Epoch{2},
+                                               .revision = 3,
+                                               .level = FleetLevel::land,
+                                               .taken_out = {AgentId{4}, AgentId{7}}})};
 }
 
 template <std::size_t topic>

@@ -37,6 +37,7 @@ std::vector<Line> lines(const MissionRecord& record) {
                                    : c.reason == CloseReason::battery_low ? "battery low"
                                    : c.reason == CloseReason::strayed     ? "strayed from its line"
                                    : c.reason == CloseReason::blocked     ? "blocked by an obstacle"
+                                   : c.reason == CloseReason::recalled    ? "called home"
                                                                           : "a newer order came";
       all.push_back({c.at, text(e.from), "closed_early",
                      fmt::format("grant {}: {} of {} cells sprayed, {}", c.grant, c.sprayed,

@@ -39,6 +39,11 @@ std::string described(const mission::Fault& fault) {
   const std::uint32_t number = fault.target.number;
   if (fault.kind == Kind::agent_kill) return fmt::format("UAV {} dies", number);
   if (fault.kind == Kind::agent_join) return fmt::format("UAV {} joins", number);
+  if (fault.kind == Kind::take_out) return fmt::format("UAV {} is taken out", number);
+  if (fault.kind == Kind::pause) return "the operator pauses the fleet";
+  if (fault.kind == Kind::resume) return "the operator lets the fleet go on";
+  if (fault.kind == Kind::return_all) return "the operator calls the fleet to the stations";
+  if (fault.kind == Kind::stop) return "the operator ends the mission";
   if (fault.bay == 0) return fmt::format("station {} shuts all its bays", number);
   return fmt::format("station {} shuts bay {}", number, fault.bay);
 }

@@ -1,0 +1,97 @@
+// How the scheduler obeys its operator.
+
+#include "scheduler/events.hpp"
+#include "scheduler/scheduler_node.hpp"
+
+#include <algorithm>
+
+namespace furrow::scheduler {
+
+void SchedulerNode::take_orders(Instant now, Outbox& out) {
+  const std::vector<TimedOrder>& orders = settings_.orders;
+  for (; orders_taken_ < orders.size() && orders[orders_taken_].at <= now; ++orders_taken_) {
+    take(orders[orders_taken_].order, out);
+  }
+}
+
+void SchedulerNode::take(const OperatorOrder& order, Outbox& out) {
+  if (std::string why = refusal(order); !why.empty()) {
+    out.messages.push_back(event("order_refused", std::move(why)));
+    return;
+  }
+  switch (order.ask) {
+    case OperatorAsk::pause:
+      return set_level(FleetLevel::hold, "fleet_paused", "holds the fleet where it is", out);
+    case OperatorAsk::resume:
+      return set_level(FleetLevel::fly, "fleet_resumed", "lets the fleet go on", out);
+    case OperatorAsk::return_all:
+      return set_level(FleetLevel::land, "fleet_recalled", "calls the fleet to the stations", out);
+    case OperatorAsk::stop:
+      return set_level(FleetLevel::end, "mission_stopped", "ends the mission", out);
+    case OperatorAsk::take_out: return take_out(order.agent, out);
+  }
+}
+
+/// Why an order is not obeyed; empty when it is.
+std::string SchedulerNode::refusal(const OperatorOrder& order) const {
+  if (level_ == FleetLevel::end && order.ask != OperatorAsk::stop) {
+    return "the mission is stopped, which is final";
+  }
+  if (order.ask != OperatorAsk::take_out) return {};
+  const auto m = std::find_if(members_.begin(), members_.end(),
+                              [&](const Member& other) { return other.agent == order.agent; });
+  if (m == members_.end()) return text(order.agent) + " is not of this mission";
+  return m->lost ? text(order.agent) + " is lost" : "";
+}
+
+void SchedulerNode::set_level(FleetLevel level, std::string_view kind, std::string_view what,
+                              Outbox& out) {
+  if (level == level_) return;
+  level_ = level;
+  ++level_revision_;
+  out.messages.push_back(
+      event(kind, text(scheduler_node()) + " " + std::string{what} + ", as the operator orders"));
+}
+
+void SchedulerNode::take_out(AgentId agent, Outbox& out) {
+  for (Member& m : members_) {
+    if (m.agent != agent || m.is_out) continue;
+    m.is_out = true;
+    ++level_revision_;
+    out.messages.push_back(
+        event("agent_taken_out", text(agent) + " goes home for good, as the operator orders"));
+  }
+}
+
+/// Leaves the rest of the lists of those taken out to the others, once all their windows are
+/// closed.
+void SchedulerNode::hand_over() {
+  for (Member& m : members_) {
+    if (!m.is_out || m.lost || m.pieces.empty() || !ledger_.windows(m.agent).empty()) continue;
+    const std::vector<CellRange> open = open_cells(m);
+    orphans_.insert(orphans_.end(), open.begin(), open.end());
+    m.sorties.clear();
+    m.pieces.clear();
+  }
+}
+
+/// Gives up what nobody holds once the mission is stopped.
+void SchedulerNode::wind_up(Outbox& out) {
+  if (level_ != FleetLevel::end) return;
+  orphans_.clear();
+  const auto cells = static_cast<std::uint32_t>(settings_.plan.route.centers.size());
+  abandon({0, cells}, "the operator stopped the mission", out);
+}
+
+void SchedulerNode::report_orders(Outbox& out) {
+  reported_revision_ = level_revision_;
+  if (level_revision_ == 0) return;
+  OperatorState state{
+      .epoch = settings_.epoch, .revision = level_revision_, .level = level_, .taken_out = {}};
+  for (const Member& m : members_) {
+    if (m.is_out) state.taken_out.push_back(m.agent);
+  }
+  out.messages.push_back(std::move(state));
+}
+
+}  // namespace furrow::scheduler
