@@ -10,9 +10,11 @@ void AgentNode::obey(const OperatorState& state, Instant now) {
   if (is_fenced_off || is_known) return;
   level_epoch_ = state.epoch;
   level_revision_ = state.revision;
+  const bool is_out = std::find(state.taken_out.begin(), state.taken_out.end(), vehicle_.id) !=
+                      state.taken_out.end();
+  if (state.level == level_ && is_out == is_taken_out_) return;
   level_ = state.level;
-  is_taken_out_ = std::find(state.taken_out.begin(), state.taken_out.end(), vehicle_.id) !=
-                  state.taken_out.end();
+  is_taken_out_ = is_out;
 
   if (is_recalled()) return come_home(now);
   if (leaving_ == CloseReason::recalled) leaving_.reset();  // not yet on its way

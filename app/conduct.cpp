@@ -106,7 +106,7 @@ std::string strayed(const Result& result) {
 
 int report(const Options& options, const MissionRecord& record) {
   const Result result = summary(record);
-  const std::string folder = options.out.empty() ? "out/" + record.scenario.name : options.out;
+  const std::string folder = results_folder(options, record.scenario);
   if (const auto written = write_results(folder, record, result); !written) {
     tell(text(written.error()));
     return Exit::bad_input;
@@ -137,6 +137,10 @@ void Progress::observe(const Envelope& envelope) {
   if (state == nullptr) return;
   fmt::print(stderr, "{}",
              bar_.draw(state->sprayed_cells, seconds(envelope.sent).base(), wall_s() - started_s_));
+}
+
+std::string results_folder(const Options& options, const mission::Scenario& scenario) {
+  return options.out.empty() ? "out/" + scenario.name : options.out;
 }
 
 Expected<mission::Scenario, Exit> load(const Options& options) {

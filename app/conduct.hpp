@@ -41,6 +41,9 @@ struct Flight {
 using Fly = std::function<Expected<Flight, std::string>(const mission::Scenario&,
                                                         const scheduler::FleetPlan&, Progress&)>;
 
+/// Where the results go.
+std::string results_folder(const Options& options, const mission::Scenario& scenario);
+
 /// Loads the scenario of `options`; on bad input says every error on stderr, otherwise
 /// every warning.
 ///

@@ -116,6 +116,22 @@ int furrow(int argc, char** argv) {
       ->check(digits)
       ->check(CLI::Range(1, 3600));
 
+  CLI::App* operate_command =
+      app.add_subcommand("operate", "Give an order to a run that is going on");
+  operate_command->add_option("folder", options.folder, "Where the run will write its results")
+      ->required();
+  operate_command
+      ->add_option("order", options.order,
+                   "pause, resume, return-all, stop, or take-out with a UAV")
+      ->required();
+  operate_command->add_option("uav", options.uav, "Number of the UAV to take out");
+  operate_command->add_option("--wait", options.patience_s, "Longest wait for the answer [s]")
+      ->check(digits)
+      ->check(CLI::Range(1, 3600));
+  operate_command->footer(
+      "Code 0: the fleet obeys; 1: the order is refused, or not answered in time; 2: no such run, "
+      "order or UAV.");
+
   CLI::App* export_command =
       app.add_subcommand("export", "Write a mission's sorties for other tools, in WGS84");
   export_command->add_option("folder", options.folder, "Results of plan, sim or run")->required();
@@ -148,6 +164,7 @@ int furrow(int argc, char** argv) {
   if (check_command->parsed()) return check(options);
   if (plan_command->parsed()) return plan(options);
   if (sim_command->parsed()) return sim(options);
+  if (operate_command->parsed()) return operate(options);
   if (export_command->parsed()) return export_missions(options);
   return run(options);
 }

@@ -29,9 +29,12 @@ struct Options {
   std::string interface = "127.0.0.1";
   std::optional<AgentRange> remote_agents;  ///< Started by hand on another host; wall clock only.
   std::uint32_t start_in_s = 5;             ///< From starting the processes to the mission's epoch.
-  std::string folder;                       ///< Results of a finished mission, for export.
-  std::string format;                       ///< Of the missions exported.
-  std::string program_folder;               ///< Where the other programs of this build are.
+  std::string folder;  ///< Results of a mission: finished for export, to come for operate.
+  std::string order;   ///< Of the operator.
+  std::string uav;     ///< That the order is about; empty: all.
+  std::uint32_t patience_s = 10;  ///< Until an order is given up as unanswered.
+  std::string format;             ///< Of the missions exported.
+  std::string program_folder;     ///< Where the other programs of this build are.
 };
 
 /// Exit codes, as every user may rely on them.
@@ -41,6 +44,7 @@ int check(const Options& options);
 int plan(const Options& options);
 int sim(const Options& options);
 int run(const Options& options);
+int operate(const Options& options);
 int export_missions(const Options& options);
 
 }  // namespace furrow::app

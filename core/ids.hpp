@@ -21,9 +21,10 @@ constexpr std::uint32_t number(StationId id) { return static_cast<std::uint32_t>
 constexpr std::uint64_t number(BootId id) { return static_cast<std::uint64_t>(id); }
 constexpr std::uint32_t number(Epoch id) { return static_cast<std::uint32_t>(id); }
 
-enum class NodeKind : std::uint8_t { scheduler = 1, station = 2, agent = 3 };
+enum class NodeKind : std::uint8_t { scheduler = 1, station = 2, agent = 3, director = 4 };
 
-/// The address of a node: its kind and its number among its kind. The scheduler is number 0.
+/// The address of a node: its kind and its number among its kind. The scheduler is number 0, and
+/// so is the director, who speaks for the operator.
 struct NodeId {
   NodeKind kind;
   std::uint32_t number;
@@ -31,6 +32,7 @@ struct NodeId {
 };
 
 constexpr NodeId scheduler_node() { return {NodeKind::scheduler, 0}; }
+constexpr NodeId director_node() { return {NodeKind::director, 0}; }
 constexpr NodeId node(StationId id) { return {NodeKind::station, number(id)}; }
 constexpr NodeId node(AgentId id) { return {NodeKind::agent, number(id)}; }
 

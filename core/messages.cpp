@@ -23,6 +23,7 @@ struct Recipient {
   bool operator()(const FlightRecord&) const { return false; }
   bool operator()(const ObstacleSeen&) const { return is_scheduler(); }
   bool operator()(const OperatorState&) const { return to.kind == NodeKind::agent; }
+  bool operator()(const OperatorOrder&) const { return is_scheduler(); }
 };
 
 }  // namespace
@@ -33,6 +34,17 @@ std::string_view name(FleetLevel level) {
     case FleetLevel::hold: return "hold";
     case FleetLevel::land: return "land";
     case FleetLevel::end: return "end";
+  }
+  return "unknown";
+}
+
+std::string_view name(OperatorAsk ask) {
+  switch (ask) {
+    case OperatorAsk::pause: return "pause";
+    case OperatorAsk::resume: return "resume";
+    case OperatorAsk::return_all: return "return_all";
+    case OperatorAsk::stop: return "stop";
+    case OperatorAsk::take_out: return "take_out";
   }
   return "unknown";
 }

@@ -211,9 +211,14 @@ enum class OperatorAsk : std::uint8_t {
   take_out = 5,    ///< One aircraft goes home for good, the others are given its work.
 };
 
+/// Its word in scenarios and logs.
+std::string_view name(OperatorAsk ask);
+
+/// Sent again until it is answered.
 struct OperatorOrder {
   OperatorAsk ask;
-  AgentId agent{};  ///< To be taken out; meaningless otherwise.
+  AgentId agent{};           ///< To be taken out; meaningless otherwise.
+  std::uint64_t number = 0;  ///< 1, 2, 3, ... per run; 0 for one that nobody waits for.
 };
 
 /// What the operator wants, as far as the scheduler has heard it. A level: sent when it changes and
@@ -224,6 +229,8 @@ struct OperatorState {
   std::uint32_t revision;  ///< 1, 2, 3, ... per epoch; a lower one is out of date.
   FleetLevel level;
   std::vector<AgentId> taken_out;  ///< To go home for good; ids rising.
+  std::uint64_t answered = 0;      ///< Number of the last order heard, 0 before the first.
+  std::string refusal{};           ///< Why that order is not obeyed; empty when it is.
 };
 
 /// Something worth a line in the log.
@@ -291,13 +298,14 @@ struct ObstacleSeen {
 
 using Body = std::variant<AgentInfo, AgentState, Command, CommandAck, WorkGrant, WorkReport,
                           ServiceClaim, ServiceGrant, StationState, SchedulerState, Event,
-                          SortieReport, FlightRecord, ObstacleSeen, OperatorState>;
+                          SortieReport, FlightRecord, ObstacleSeen, OperatorState, OperatorOrder>;
 
 /// The last part of the topic's name, by the body's index.
 inline constexpr std::array<std::string_view, std::variant_size_v<Body>> topics{
-    "agent_info",  "agent_state",   "command",       "command_ack",   "work_grant",
-    "work_report", "service_claim", "service_grant", "station_state", "scheduler_state",
-    "event",       "sortie_report", "flight_record", "obstacle_seen", "operator_state"};
+    "agent_info",    "agent_state",     "command",        "command_ack",
+    "work_grant",    "work_report",     "service_claim",  "service_grant",
+    "station_state", "scheduler_state", "event",          "sortie_report",
+    "flight_record", "obstacle_seen",   "operator_state", "operator_order"};
 
 constexpr std::string_view topic(const Body& body) { return topics[body.index()]; }
 

@@ -14,22 +14,36 @@ void SchedulerNode::take_orders(Instant now, Outbox& out) {
   }
 }
 
-void SchedulerNode::take(const OperatorOrder& order, Outbox& out) {
-  if (std::string why = refusal(order); !why.empty()) {
-    out.messages.push_back(event("order_refused", std::move(why)));
-    return;
+/// A repeated order is answered already, by a level that is repeated too.
+void SchedulerNode::hear(const OperatorOrder& order, Outbox& out) {
+  if (order.number <= answered_order_) return;
+  answered_order_ = order.number;
+  refusal_ = take(order, out);
+}
+
+/// @return  Why it is not obeyed; empty when it is.
+std::string SchedulerNode::take(const OperatorOrder& order, Outbox& out) {
+  std::string why = refusal(order);
+  if (!why.empty()) {
+    out.messages.push_back(event("order_refused", why));
+    return why;
   }
   switch (order.ask) {
     case OperatorAsk::pause:
-      return set_level(FleetLevel::hold, "fleet_paused", "holds the fleet where it is", out);
+      set_level(FleetLevel::hold, "fleet_paused", "holds the fleet where it is", out);
+      break;
     case OperatorAsk::resume:
-      return set_level(FleetLevel::fly, "fleet_resumed", "lets the fleet go on", out);
+      set_level(FleetLevel::fly, "fleet_resumed", "lets the fleet go on", out);
+      break;
     case OperatorAsk::return_all:
-      return set_level(FleetLevel::land, "fleet_recalled", "calls the fleet to the stations", out);
+      set_level(FleetLevel::land, "fleet_recalled", "calls the fleet to the stations", out);
+      break;
     case OperatorAsk::stop:
-      return set_level(FleetLevel::end, "mission_stopped", "ends the mission", out);
-    case OperatorAsk::take_out: return take_out(order.agent, out);
+      set_level(FleetLevel::end, "mission_stopped", "ends the mission", out);
+      break;
+    case OperatorAsk::take_out: take_out(order.agent, out); break;
   }
+  return why;
 }
 
 /// Why an order is not obeyed; empty when it is.
@@ -85,9 +99,14 @@ void SchedulerNode::wind_up(Outbox& out) {
 
 void SchedulerNode::report_orders(Outbox& out) {
   reported_revision_ = level_revision_;
-  if (level_revision_ == 0) return;
-  OperatorState state{
-      .epoch = settings_.epoch, .revision = level_revision_, .level = level_, .taken_out = {}};
+  reported_order_ = answered_order_;
+  if (level_revision_ == 0 && answered_order_ == 0) return;
+  OperatorState state{.epoch = settings_.epoch,
+                      .revision = level_revision_,
+                      .level = level_,
+                      .taken_out = {},
+                      .answered = answered_order_,
+                      .refusal = refusal_};
   for (const Member& m : members_) {
     if (m.is_out) state.taken_out.push_back(m.agent);
   }

@@ -104,6 +104,7 @@ void SchedulerNode::hear(const Envelope& envelope, Instant now, Outbox& out) {
   if (const auto* ack = std::get_if<CommandAck>(&envelope.body)) hear(*ack, now, out);
   if (const auto* report = std::get_if<WorkReport>(&envelope.body)) hear(*report, now, out);
   if (const auto* seen = std::get_if<ObstacleSeen>(&envelope.body)) hear(*seen, now, out);
+  if (const auto* order = std::get_if<OperatorOrder>(&envelope.body)) hear(*order, out);
 }
 
 void SchedulerNode::hear(const AgentInfo& info, Instant now, Outbox&) {
@@ -318,7 +319,8 @@ SchedulerState SchedulerNode::state() const {
 }
 
 void SchedulerNode::report_state(Instant now, Outbox& out) {
-  const bool is_news = reported_phase_ != phase_ || reported_revision_ != level_revision_;
+  const bool is_news = reported_phase_ != phase_ || reported_revision_ != level_revision_ ||
+                       reported_order_ != answered_order_;
   if (now < state_due_ && !is_news) return;
   if (phase_ == MissionPhase::finished && farewells_-- <= 0) return;
   report_orders(out);

@@ -91,10 +91,11 @@ class SchedulerNode {
   void hear(const CommandAck& ack, Instant now, Outbox& out);
   void hear(const WorkReport& report, Instant now, Outbox& out);
   void hear(const ObstacleSeen& seen, Instant now, Outbox& out);
+  void hear(const OperatorOrder& order, Outbox& out);
 
   // operator_orders.cpp
   void take_orders(Instant now, Outbox& out);
-  void take(const OperatorOrder& order, Outbox& out);
+  std::string take(const OperatorOrder& order, Outbox& out);
   std::string refusal(const OperatorOrder& order) const;
   void set_level(FleetLevel level, std::string_view kind, std::string_view what, Outbox& out);
   void take_out(AgentId agent, Outbox& out);
@@ -143,6 +144,8 @@ class SchedulerNode {
   FleetLevel level_ = FleetLevel::fly;
   std::uint32_t level_revision_ = 0, reported_revision_ = 0;
   std::size_t orders_taken_ = 0;  ///< Of the settings' orders.
+  std::uint64_t answered_order_ = 0, reported_order_ = 0;
+  std::string refusal_{};  ///< Of that order.
   MissionPhase phase_ = MissionPhase::gathering;
   std::optional<MissionPhase> reported_phase_{};
   Instant state_due_{};

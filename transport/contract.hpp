@@ -24,6 +24,7 @@ inline constexpr Kinds scheduler = kinds(NodeKind::scheduler);
 inline constexpr Kinds stations = kinds(NodeKind::station);
 inline constexpr Kinds agents = kinds(NodeKind::agent);
 inline constexpr Kinds all = scheduler | stations | agents;
+inline constexpr Kinds director = kinds(NodeKind::director);
 }  // namespace role
 
 /// Samples that a writer keeps of each instance for those who have not read them yet.
@@ -35,7 +36,7 @@ struct History {
 struct TopicContract {
   std::string_view name;
   Kinds writers;
-  Kinds readers;        ///< Besides the director, who reads everything.
+  Kinds readers;        ///< Besides the director, who reads all that it does not write.
   History wall;         ///< Wall clock: the newest counts, except where each message does.
   History granted;      ///< Granted time: each message counts, and a round never fills this depth.
   bool leased = false;  ///< Wall clock: a writer that does not assert itself for a lease is dead.
@@ -61,6 +62,7 @@ inline constexpr std::array<TopicContract, topic_count> contract{{
     {"flight_record",    role::agents,    role::none,                    {256, true}, {64}},
     {"obstacle_seen",    role::agents,    role::scheduler,               {256, true}, {64}},
     {"operator_state",   role::scheduler, role::agents,                  {1},         {64}},
+    {"operator_order",   role::director,  role::scheduler,               {256, true}, {64}},
 }};
 // clang-format on
 

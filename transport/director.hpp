@@ -32,6 +32,8 @@ struct DirectorSettings {
   /// Sees every envelope once, ordered by time, sender, sequence number (by arrival on the wall
   /// clock).
   std::function<void(const Envelope&)> observer{};
+  /// Asked often: what the director itself has to tell the fleet.
+  std::function<std::vector<Body>()> says{};
   std::function<bool()> interrupted{};  ///< Asked often; true ends the run.
   /// Asked often: participants whose processes are known to have ended. They drop out of the run.
   std::function<std::vector<std::uint32_t>()> dead_members{};

@@ -71,7 +71,8 @@ void FleetTopics::open(Participant& participant, Kinds hosted, bool listens_to_a
     out_[topic] = std::make_unique<OutOf<topic>>(
         participant.writer<WireType<topic>>(name, type_name(name), q), q.lease.has_value());
   }
-  if (listens_to_all || (c.readers & hosted)) {
+  const bool overhears = listens_to_all && !(c.writers & hosted);
+  if (overhears || (c.readers & hosted)) {
     auto taken = [heard](Origin origin, Received<WireType<topic>>& received) {
       heard(origin, topic, received.malformed ? std::nullopt : decoded<topic>(received.sample));
     };

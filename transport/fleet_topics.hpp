@@ -23,7 +23,9 @@ Kinds kinds_of(const std::vector<NodeId>& nodes);
 
 class FleetTopics {
  public:
-  /// @param listens_to_all  As the recorder does; otherwise what `hosted` act on.
+  /// @param listens_to_all  As the recorder does, to all but what it writes; otherwise what
+  /// `hosted`
+  ///                        act on.
   FleetTopics(Participant& participant, Kinds hosted, bool listens_to_all, TimeMode mode,
               BootId boot, Heard heard);
   ~FleetTopics();

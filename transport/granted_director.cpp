@@ -35,7 +35,7 @@ class GrantedDirector {
         recorder_{settings},
         clock_{settings.members, settings.latency},
         topics_{participant,
-                role::none,
+                role::director,
                 true,
                 TimeMode::granted,
                 BootId{1},
@@ -63,6 +63,7 @@ class GrantedDirector {
     }
     began_ = WallClock::now();
     for (;;) {
+      speak();
       if (const auto stop = stop_before_round()) return end(*stop);
       pace();
       begin_round();
@@ -81,9 +82,9 @@ class GrantedDirector {
     for (const auto& count : hello.matches()) {
       if (count.topic() >= topic_count) return false;
       const TopicContract& c = contract[count.topic()];
-      const std::uint32_t others =
-          count.is_writer() ? members_that(c.readers) + 1 : members_that(c.writers);
-      if (count.matched() != others) return false;
+      const bool with_director = count.is_writer() != ((c.writers & role::director) != 0);
+      const std::uint32_t others = members_that(count.is_writer() ? c.readers : c.writers);
+      if (count.matched() != others + with_director) return false;
       ++endpoints;
     }
     std::size_t expected = 0;
@@ -96,7 +97,8 @@ class GrantedDirector {
   bool is_recorder_complete() const {
     const auto matches = topics_.matches();
     return std::all_of(matches.begin(), matches.end(), [&](const auto& count) {
-      return count.matched() == members_that(contract[count.topic()].writers);
+      const TopicContract& c = contract[count.topic()];
+      return count.matched() == members_that(count.is_writer() ? c.readers : c.writers);
     });
   }
 
@@ -170,13 +172,29 @@ class GrantedDirector {
     }
   }
 
+  // Its own words are sent at the end of what was granted: nobody has been beyond that.
+  void speak() {
+    for (Envelope& word : recorder_.own_words(reached_)) {
+      const std::size_t topic = word.body.index();
+      const std::uint64_t sequence = topics_.publish(word);
+      if (sequence == 0) continue;
+      clock_.sent(director_participant, topic, sequence, word);
+      recorder_.keep(std::move(word));
+    }
+  }
+
+  // When the next event is due in real time.
+  WallClock::time_point due() const {
+    const double wall_s = seconds(clock_.next_event()).base() / *settings_.pace;
+    return began_ +
+           std::chrono::duration_cast<WallClock::duration>(std::chrono::duration<double>{wall_s});
+  }
+
   void pace() {
     if (!settings_.pace) return;
-    const double wall_s = seconds(clock_.next_event()).base() / *settings_.pace;
-    const auto due = began_ + std::chrono::duration_cast<WallClock::duration>(
-                                  std::chrono::duration<double>{wall_s});
-    while (WallClock::now() < due && !(settings_.interrupted && settings_.interrupted())) {
-      std::this_thread::sleep_until(std::min(due, WallClock::now() + slice));
+    while (WallClock::now() < due() && !(settings_.interrupted && settings_.interrupted())) {
+      std::this_thread::sleep_until(std::min(due(), WallClock::now() + slice));
+      speak();
     }
   }
 

@@ -27,6 +27,15 @@ void Recorder::keep(Envelope envelope) {
   log_.push_back(std::move(envelope));
 }
 
+std::vector<Envelope> Recorder::own_words(Instant now) {
+  std::vector<Envelope> words;
+  if (!settings_.says) return words;
+  for (Body& body : settings_.says()) {
+    words.push_back({director_node(), ++said_, now, std::move(body)});
+  }
+  return words;
+}
+
 DirectorResult Recorder::result(Ending ending, Instant end, const std::set<std::uint32_t>& died,
                                 std::uint64_t rounds, std::uint64_t malformed) && {
   std::sort(log_.begin(), log_.end(), is_earlier);

@@ -24,6 +24,9 @@ class Recorder {
 
   void keep(Envelope envelope);
 
+  /// What the director has to say itself, sent at `now`.
+  std::vector<Envelope> own_words(Instant now);
+
   /// The result of a run that ended so.
   DirectorResult result(Ending ending, Instant end, const std::set<std::uint32_t>& died,
                         std::uint64_t rounds, std::uint64_t malformed) &&;
@@ -31,6 +34,7 @@ class Recorder {
  private:
   const DirectorSettings& settings_;
   std::vector<Envelope> log_;
+  std::uint64_t said_ = 0;  // by the director itself
 };
 
 /// Asks the settings' callbacks, but not more often than they can bear.

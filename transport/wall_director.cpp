@@ -12,14 +12,14 @@ Expected<DirectorResult, TransportError> run_wall_director(const DirectorSetting
                                                            Participant& participant,
                                                            Incoming& incoming) {
   constexpr Duration grace{1'500'000'000};  // what members say on leaving is still recorded
-  const FleetTopics topics{participant,
-                           role::none,
-                           true,
-                           TimeMode::wall,
-                           BootId{1},
-                           [&](Origin origin, std::size_t topic, std::optional<Envelope> e) {
-                             incoming.put(origin, topic, std::move(e));
-                           }};
+  FleetTopics topics{participant,
+                     role::director,
+                     true,
+                     TimeMode::wall,
+                     BootId{1},
+                     [&](Origin origin, std::size_t topic, std::optional<Envelope> e) {
+                       incoming.put(origin, topic, std::move(e));
+                     }};
   const auto now = [&] { return mission_now(*settings.epoch_realtime_ns); };
   Recorder recorder{settings};
   Watch watch{settings, incoming};
@@ -33,6 +33,10 @@ Expected<DirectorResult, TransportError> run_wall_director(const DirectorSetting
     for (Sample& sample : incoming.take_messages()) {
       if (ends_mission(sample.envelope) && !finished) finished = now();
       recorder.keep(std::move(sample.envelope));
+    }
+    for (Envelope& word : recorder.own_words(std::max(now(), Instant{}))) {
+      topics.publish(word);  // what is lost is said again
+      recorder.keep(std::move(word));
     }
     if (finished && now() > *finished + grace) return result(Ending::finished, now());
     if (!finished) watch.new_deaths();  // leaving after the end is no death

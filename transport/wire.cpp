@@ -29,7 +29,7 @@ std::optional<Envelope> decoded(WireType<topic>& sample) {
   Decode decode;
   auto& header = sample.header();
   Envelope envelope{};
-  decode.bounded(envelope.from.kind, header.sender_kind(), NodeKind::scheduler, NodeKind::agent);
+  decode.bounded(envelope.from.kind, header.sender_kind(), NodeKind::scheduler, NodeKind::director);
   decode(envelope.from.number, header.sender_number());
   decode(envelope.seq, header.seq());
   decode(envelope.sent, header.t_ns());
@@ -56,7 +56,8 @@ FURROW_WIRE(11)
 FURROW_WIRE(12)
 FURROW_WIRE(13)
 FURROW_WIRE(14)
+FURROW_WIRE(15)
 #undef FURROW_WIRE
-static_assert(std::variant_size_v<Body> == 15);
+static_assert(std::variant_size_v<Body> == 16);
 
 }  // namespace furrow::transport

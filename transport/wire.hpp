@@ -25,7 +25,8 @@ using WireTypes =
                fleet::v1::CommandAck, fleet::v1::WorkGrant, fleet::v1::WorkReport,
                fleet::v1::ServiceClaim, fleet::v1::ServiceGrant, fleet::v1::StationState,
                fleet::v1::SchedulerState, fleet::v1::Event, fleet::v1::SortieReport,
-               fleet::v1::FlightRecord, fleet::v1::ObstacleSeen, fleet::v1::OperatorState>;
+               fleet::v1::FlightRecord, fleet::v1::ObstacleSeen, fleet::v1::OperatorState,
+               fleet::v1::OperatorOrder>;
 static_assert(std::tuple_size_v<WireTypes> == std::variant_size_v<Body>);
 
 template <std::size_t topic>

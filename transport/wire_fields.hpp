@@ -314,6 +314,15 @@ void fields(D& d, Seen<D, OperatorState>& m, fleet::v1::OperatorState& w) {
   d.bounded(m.level, w.level(), FleetLevel::fly, FleetLevel::end);
   d.sequence(m.taken_out, w.taken_out_agents(),
              [](D& s, auto& agent, std::uint32_t& a) { s(agent, a); });
+  d(m.answered, w.answered_order());
+  d(m.refusal, w.refusal());
+}
+
+template <class D>
+void fields(D& d, Seen<D, OperatorOrder>& m, fleet::v1::OperatorOrder& w) {
+  d(m.number, w.number());
+  d.bounded(m.ask, w.ask(), OperatorAsk::pause, OperatorAsk::take_out);
+  d(m.agent, w.agent());
 }
 
 }  // namespace furrow::transport

@@ -1,6 +1,7 @@
 #include "app/conduct.hpp"
 #include "app/fleet_processes.hpp"
 #include "app/interrupt.hpp"
+#include "app/operator_desk.hpp"
 #include "mission/fleet.hpp"
 #include "transport/director.hpp"
 #include "transport/domain_lock.hpp"
@@ -29,6 +30,17 @@ Flight flight(transport::DirectorResult result, const FleetProcesses& processes)
         fmt::format("{} malformed messages were dropped", result.malformed_messages));
   }
   return flight;
+}
+
+// None where another run writes to the same folder, which is said.
+void open_desk(std::optional<OperatorDesk>& desk, const Options& options,
+               const mission::Scenario& scenario) {
+  auto line = OperatorLine::open(results_folder(options, scenario));
+  if (line) {
+    desk.emplace(std::move(*line), static_cast<std::uint32_t>(scenario.uavs.size()));
+  } else {
+    fmt::print(stderr, "furrow: {}\n", line.error());
+  }
 }
 
 }  // namespace
@@ -61,7 +73,13 @@ int run(const Options& options) {
       fmt::print(stderr, "Start on the other host: {}\n", command);
     }
     settings.members = processes->members();
-    settings.observer = [&](const Envelope& envelope) { progress.observe(envelope); };
+    std::optional<OperatorDesk> desk;
+    open_desk(desk, options, scenario);
+    settings.observer = [&](const Envelope& envelope) {
+      progress.observe(envelope);
+      if (desk) desk->observe(envelope);
+    };
+    settings.says = [&] { return desk ? desk->says() : std::vector<Body>{}; };
     settings.interrupted = [&] { return is_interrupted() || processes->is_crippled(); };
     settings.dead_members = [&] { return processes->dead(); };
 

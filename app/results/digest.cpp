@@ -102,7 +102,10 @@ class Hash {
   void operator()(const ObstacleSeen& m) {
     all(m.agent, m.epoch, m.revision, m.obstacle, m.clearance);
   }
-  void operator()(const OperatorState& m) { all(m.epoch, m.revision, m.level, m.taken_out); }
+  void operator()(const OperatorState& m) {
+    all(m.epoch, m.revision, m.level, m.taken_out, m.answered, std::string_view{m.refusal});
+  }
+  void operator()(const OperatorOrder& m) { all(m.number, m.ask, m.agent); }
 
   void operator()(const Envelope& e) {
     all(e.from.kind, e.from.number, e.seq, e.sent, std::uint64_t{e.body.index()});

@@ -154,6 +154,13 @@ struct Details {
     line["level"] = furrow::name(m.level);
     line["taken_out"] = Json::array();
     for (const AgentId agent : m.taken_out) line["taken_out"].push_back(number(agent));
+    if (m.answered > 0) line["answered"] = m.answered;
+    if (!m.refusal.empty()) line["refusal"] = m.refusal;
+  }
+  void operator()(const OperatorOrder& m) {
+    line["number"] = m.number;
+    line["ask"] = furrow::name(m.ask);
+    if (m.ask == OperatorAsk::take_out) line["agent"] = number(m.agent);
   }
   void operator()(const AgentState&) {}
   void operator()(const StationState&) {}

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <set>
+#include <type_traits>
 
 namespace furrow::sim {
 namespace {
@@ -12,7 +13,8 @@ void visit_names(const Envelope& e, const Visit& visit) {
   visit(e.from);
   std::visit(
       [&](const auto& body) {
-        if constexpr (requires { body.agent; }) visit(node(body.agent));
+        constexpr bool is_order = std::is_same_v<std::decay_t<decltype(body)>, OperatorOrder>;
+        if constexpr (!is_order && requires { body.agent; }) visit(node(body.agent));
       },
       e.body);
   if (const auto* claim = std::get_if<ServiceClaim>(&e.body)) visit(node(claim->station));
@@ -23,7 +25,7 @@ void visit_names(const Envelope& e, const Visit& visit) {
 class SenderLaws final : public Checker {
  public:
   explicit SenderLaws(const Facts& facts) {
-    known_.insert(scheduler_node());
+    known_ = {scheduler_node(), director_node()};
     for (const Station& station : facts.stations) known_.insert(node(station.id));
     for (const auto& uav : facts.plan.uavs) known_.insert(node(uav.vehicle.id));
   }

@@ -156,7 +156,7 @@ class WorkLaws final : public Checker {
     if (known == vehicles_.end()) return;
     const Vehicle& vehicle = known->second;
     const Length slack = 0.5 * vehicle.swath + vehicle.gnss.bias + 4.0 * vehicle.gnss.sigma;
-    bool& was_open = was_open_[flown.agent];
+    bool& was_open = was_open_.emplace(flown.agent, true).first->second;
     for (const TrackPoint& point : flown.track) {
       const bool opens = !std::exchange(was_open, point.spraying);
       if (!point.spraying) continue;
@@ -246,7 +246,7 @@ class WorkLaws final : public Checker {
   std::vector<double> cell_m_;  // sprayed per cell
   std::map<AgentId, Work> work_;
   std::vector<int> sprayed_, booked_;  // how often, by cell: in truth, and as closed
-  std::map<AgentId, bool> was_open_;
+  std::map<AgentId, bool> was_open_;   // at the last point of its track
   std::set<std::pair<AgentId, Instant>> open_valves_, closed_valves_;  // by whom and when
   SchedulerState last_state_{};
 };

@@ -348,6 +348,48 @@ class Operator(Furrow):
         self.assertLess(max(uav["landed_s"] for uav in result["uavs"]), 160)
 
 
+    def test_orders_to_a_running_mission_are_obeyed_and_answered(self):
+        # 530 s of mission in a quarter of a minute; the folder is not there yet.
+        process = self.started("run", self.garden, "--speed", 30, "--out", self.out("run"))
+        operate = lambda *order: furrow("operate", self.out("run"), *order)
+        self.assertTrue(eventually(lambda: operate("pause").returncode == 0, 20))
+        for order, text in ((("resume",), "obeyed at "), (("return-all",), "obeyed at "),
+                            (("resume",), "obeyed at "), (("take-out", 2), "obeyed at ")):
+            done = operate(*order)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertTrue(done.stdout.startswith(text), done.stdout)
+        for order, said in ((("land",), "order: must be pause, .*got land"),
+                            (("take-out",), r"uav: must be .*1 to 2 \(got none\)"),
+                            (("take-out", 3), r"uav: must be .*1 to 2 \(got 3\)"),
+                            (("pause", 1), r"uav: must be left out .*\(got 1\)")):
+            done = operate(*order)
+            self.assertEqual(done.returncode, 2, done.stdout)
+            self.assertRegex(done.stderr, said)
+        code, errors = self.ended(process)
+        self.assertEqual(code, 0, errors)
+        self.assertNotIn("law ", errors)
+        result = json.loads((self.out("run") / "result.json").read_text())
+        self.assertEqual(result["operator"], {"level": "fly", "taken_out": [2]})
+        self.assertEqual(result["coverage"]["missed_m2"], 0)
+
+    def test_a_run_that_is_stopped_says_so_and_takes_no_order_back(self):
+        process = self.started("run", self.garden, "--speed", 3, "--out", self.out("run"))
+        operate = lambda *order: furrow("operate", self.out("run"), *order)
+        self.assertTrue(eventually(lambda: operate("resume").returncode == 0, 20))
+        time.sleep(5)  # 15 s of mission: all are at work, seconds away from home
+        done = operate("stop")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        done = operate("resume")
+        self.assertEqual(done.returncode, 1, done.stdout)
+        self.assertIn("final", done.stderr)
+        code, errors = self.ended(process)
+        self.assertEqual(code, 1, errors)
+        self.assertIn("the operator stopped the mission at ", errors)
+        done = operate("pause")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("no run is going on", done.stderr)
+
+
 class Paces(Furrow):
     def test_two_runs_at_once_do_not_mix(self):
         runs = [self.started("run", self.garden, "--quiet", "--out", self.out(str(i)))

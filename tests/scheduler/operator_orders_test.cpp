@@ -180,5 +180,25 @@ TEST_CASE("operator: orders for the lost, for strangers and after a stop are ref
   CHECK(desk.events("order_refused") == 3);
 }
 
+TEST_CASE("operator: an order that is said until it is answered is obeyed once", "[scheduler]") {
+  Desk desk{{}};
+  const auto first =
+      all<OperatorState>(desk.step(3, {OperatorOrder{.ask = OperatorAsk::pause, .number = 1}}));
+  REQUIRE(first.size() == 1);
+  CHECK(first[0].answered == 1);
+  CHECK(first[0].refusal.empty());
+  desk.step(4, {OperatorOrder{.ask = OperatorAsk::resume, .number = 2}});
+  desk.step(5, {OperatorOrder{.ask = OperatorAsk::pause, .number = 1}});  // late
+  const auto second = all<OperatorState>(desk.step(6));
+  CHECK(second.back().level == FleetLevel::fly);
+  CHECK(second.back().answered == 2);
+  const OperatorOrder stranger{.ask = OperatorAsk::take_out, .agent = AgentId{9}, .number = 3};
+  const auto third = all<OperatorState>(desk.step(7, {stranger}));
+  REQUIRE(third.size() == 1);
+  CHECK(third[0].answered == 3);
+  CHECK(third[0].refusal == "agent 9 is not of this mission");
+  CHECK(third[0].revision == second.back().revision);
+}
+
 }  // namespace
 }  // namespace furrow::scheduler

@@ -156,6 +156,7 @@ inline void add(NodeHost& host, const Fleet& fleet, NodeId id, Instant first = I
     case NodeKind::agent:
       host.add(id, AnyNode{Agent{AgentId{id.number}, fleet.stations}}, first);
       break;
+    case NodeKind::director: break;  // hosts itself
   }
 }
 

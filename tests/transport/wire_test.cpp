@@ -163,7 +163,11 @@ std::vector<Envelope> samples() {
           from(scheduler_node(), OperatorState{.epoch = Epoch{2},
                                                .revision = 3,
                                                .level = FleetLevel::land,
-                                               .taken_out = {AgentId{4}, AgentId{7}}})};
+                                               .taken_out = {AgentId{4}, AgentId{7}},
+                                               .answered = 5,
+                                               .refusal = "agent 9 is lost"}),
+          from(director_node(),
+               OperatorOrder{.ask = OperatorAsk::take_out, .agent = AgentId{7}, .number = 6})};
 }
 
 template <std::size_t topic>
@@ -217,7 +221,7 @@ TEST_CASE("wire: a value outside the contract invalidates its sample", "[transpo
   claim.status(0);
   CHECK_FALSE(decoded<6>(claim));
   claim.status(1);
-  claim.header().sender_kind(4);
+  claim.header().sender_kind(5);
   CHECK_FALSE(decoded<6>(claim));
 
   auto report = encoded<5>(samples()[5], BootId{9});
