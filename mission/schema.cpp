@@ -325,7 +325,8 @@ Wind read_wind(const Section& s) {
 planner::SolveSettings read_solver(const Section& s, std::uint64_t seed) {
   using enum planner::ReturnStrategy;
   const auto choice =
-      s.choice("returns", {name(unplanned), name(simple), name(gsa), name(exact)}, std::size_t{2});
+      s.choice("returns", {name(unplanned), name(simple), name(gsa), name(exact), name(joint)},
+               std::size_t{4});
   const planner::SolveSettings settings{
       .returns = static_cast<planner::ReturnStrategy>(choice),
       .refine = s.flag("refine", true),

@@ -22,7 +22,7 @@ struct Desk {
 /// The share flown with the return points that are best without battery and queue.
 Itinerary rough_itinerary(const Desk& desk, std::size_t uav, const Share& share) {
   const Vehicle& vehicle = desk.vehicles[uav];
-  if (share.strips.count == 0) return grounded(vehicle.id, share.station);
+  if (share.strips.count == 0) return grounded(vehicle.id);
   GrowingShare growing{desk.route, desk.lengths, desk.paces[uav][share.station],
                        share.strips.first};
   for (std::uint32_t s = 0; s < share.strips.count; ++s) growing.grow();

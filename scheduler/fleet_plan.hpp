@@ -7,7 +7,9 @@
 #include "planner/coverage/cover.hpp"
 #include "planner/returns/solve.hpp"
 
+#include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace furrow::scheduler {
@@ -21,7 +23,7 @@ struct Visit {
 /// What one aircraft is to do.
 struct UavPlan {
   Vehicle vehicle;
-  Station station;             ///< Where all its sorties end.
+  Station station;             ///< Where its sorties end, but for `landings`.
   CellRange strips;            ///< Its share: contiguous strips of the route; may be empty.
   CellRange cells;             ///< The same in cells of the route.
   planner::Solution solution;  ///< Empty returns and sorties for an empty share.
@@ -29,6 +31,21 @@ struct UavPlan {
   double spray_ends_s;         ///< Forecast mission time of its last sprayed cell; 0 if none.
   double lands_s;
   bool joins_late = false;  ///< Not there at the start, so it has no share.
+  /// Where each sortie ends; none: all at `station`.
+  std::vector<Station> landings{};
+};
+
+/// Where a sortie ends, counted from 0.
+inline const Station& landing(const UavPlan& uav, std::size_t sortie) {
+  return uav.landings.empty() ? uav.station : uav.landings.at(sortie);
+}
+
+/// Makespans of other plans of the same route, for comparison [s].
+struct Yardsticks {
+  double shares_s;  ///< Of contiguous shares of whole strips, the return points of each chosen.
+  std::optional<double> till_empty_s, simple_s;  ///< None where tank or pack do not carry it.
+  std::uint64_t evaluations;                     ///< Plans that the joint search has flown.
+  bool is_joint;                                 ///< The plan is the joint search's.
 };
 
 /// Who flies what and when.
@@ -39,6 +56,8 @@ struct FleetPlan {
   std::vector<UavPlan> uavs;                     ///< In order of id.
   double makespan_s;     ///< Forecast mission time at which the last cell is sprayed.
   double lower_bound_s;  ///< No plan of this route is done earlier at constant speeds.
+  std::string bound{};   ///< What holds the fleet up by that bound; empty if nothing is known.
+  std::optional<Yardsticks> yardsticks{};  ///< Where sorties were chosen jointly.
 };
 
 }  // namespace furrow::scheduler

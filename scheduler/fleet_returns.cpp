@@ -17,7 +17,7 @@ using planner::Solution;
 constexpr std::uint32_t rounds = 2;
 
 Itinerary itinerary_of(const FleetTask& task, const ReturnPlan& plan) {
-  if (!task.times) return grounded(task.agent, task.station);
+  if (!task.times) return grounded(task.agent);
   return itinerary(task.agent, task.station, plan, *task.times);
 }
 
@@ -72,7 +72,7 @@ class Search {
   planner::SolveSettings settings_for(AgentId agent, std::uint32_t round) const {
     planner::SolveSettings s = settings_;
     if (flying_ <= 1) return s;
-    const std::size_t times = s.returns == planner::ReturnStrategy::gsa ? 1 + rounds : 1;
+    const std::size_t times = planner::is_by_gravity(s.returns) ? 1 + rounds : 1;
     s.seed = seed_for(s.seed, {number(agent), round});
     s.budget_s /= static_cast<double>(flying_ * times);
     return s;
@@ -99,10 +99,11 @@ class Search {
     const std::uint32_t station = tasks_[u].station;
     std::vector<Itinerary> here;
     std::size_t index = 0;
-    for (Itinerary& it : itineraries(current_)) {
-      if (it.station != station) continue;
-      if (it.agent == tasks_[u].agent) index = here.size();
-      here.push_back(std::move(it));
+    std::vector<Itinerary> all = itineraries(current_);
+    for (std::size_t other = 0; other < all.size(); ++other) {
+      if (tasks_[other].station != station) continue;
+      if (other == u) index = here.size();
+      here.push_back(std::move(all[other]));
     }
     QueueClock clock{stations_[station].bays, std::move(here)};
     const double without_s = clock.queue_wait_without_s(index);
@@ -132,7 +133,7 @@ Expected<FleetReturns, PlanError> fleet_returns(const std::vector<FleetTask>& ta
                                                 const planner::SolveSettings& settings) {
   Search search{tasks, stations, settings};
   if (auto error = search.solve_alone()) return Unexpected{std::move(*error)};
-  if (settings.returns == planner::ReturnStrategy::gsa && search.flying() > 1) {
+  if (planner::is_by_gravity(settings.returns) && search.flying() > 1) {
     search.consider_all([](const ReturnProblem& p) { return planner::unplanned_plan(p); });
     search.consider_all([](const ReturnProblem& p) { return planner::simple_plan(p); });
     for (std::uint32_t round = 1; round <= rounds; ++round) search.respond(round);

@@ -1,6 +1,7 @@
 #include "scheduler/flight_times.hpp"
 
 #include "core/corner.hpp"
+#include "core/require.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -131,18 +132,38 @@ SortieTimes Way::times(std::size_t sprayed_legs) {
 }  // namespace
 
 FlightTimes::FlightTimes(const planner::Route& route, const planner::ReturnProblem& problem)
-    : vehicle_{problem.vehicle},
-      station_{problem.station.position},
-      ferries_{route.ferries},
-      back_m_{problem.back_m} {
+    : FlightTimes{route, std::vector<const planner::ReturnProblem*>{&problem}} {}
+
+void FlightTimes::add_stand(const planner::ReturnProblem& problem) {
+  Stand stand{.station = problem.station.position, .back_m = problem.back_m};
+  if (problem.hills) {
+    const double ferry_mps = problem.vehicle.ferry_speed.base();
+    for (std::uint32_t i = 0; i < problem.cells.count; ++i) {
+      stand.late_back_s.push_back(problem.back_s(i) - problem.back_m[i] / ferry_mps);
+      stand.late_out_s.push_back(problem.out_s(i) - problem.out_m[i] / ferry_mps);
+    }
+  }
+  stands_.push_back(std::move(stand));
+}
+
+FlightTimes::FlightTimes(const planner::Route& route,
+                         std::span<const planner::ReturnProblem* const> problems)
+    : vehicle_{}, ferries_{route.ferries} {
+  const planner::ReturnProblem* known = nullptr;
+  for (const planner::ReturnProblem* p : problems) {
+    if (p == nullptr) {
+      stands_.emplace_back();
+      continue;
+    }
+    known = p;
+    add_stand(*p);
+  }
+  require(known != nullptr, "sorties end somewhere");
+  const planner::ReturnProblem& problem = *known;
+  vehicle_ = problem.vehicle;
   if (problem.hills) {
     late_s_ = problem.hills->late_s;
     resume_late_s_ = problem.hills->resume_late_s;
-    const double ferry_mps = problem.vehicle.ferry_speed.base();
-    for (std::uint32_t i = 0; i < problem.cells.count; ++i) {
-      late_back_s_.push_back(problem.back_s(i) - problem.back_m[i] / ferry_mps);
-      late_out_s_.push_back(problem.out_s(i) - problem.out_m[i] / ferry_mps);
-    }
   }
   const std::uint32_t begin = problem.cells.first;
   for (const planner::Strip& strip : route.strips) {
@@ -164,29 +185,32 @@ FlightTimes::FlightTimes(const planner::Route& route, const planner::ReturnProbl
 }
 
 // Between the stop of a cell and the station, both left out; empty where it is straight.
-const FlightTimes::Places& FlightTimes::way_home(std::uint32_t cell, FieldPoint stop) const {
+const FlightTimes::Places& FlightTimes::way_home(std::uint32_t stand, std::uint32_t cell,
+                                                 FieldPoint stop) const {
   static const Places straight;
-  if (back_m_[cell] <= distance(stop, station_).base() + same_place_m) return straight;
-  const auto [known, is_new] = ways_home_.try_emplace(cell);
+  const auto& [station, back_m, late_back_s, late_out_s] = stands_[stand];
+  if (back_m[cell] <= distance(stop, station).base() + same_place_m) return straight;
+  const auto [known, is_new] = ways_home_.try_emplace({stand, cell});
   if (is_new) {
-    const Places way = ferries_.way(stop, station_);
+    const Places way = ferries_.way(stop, station);
     known->second.assign(way.begin() + 1, way.end() - 1);
   }
   return known->second;
 }
 
 // To the beginning of the run that starts with `cell`, both ends left out.
-const FlightTimes::Places& FlightTimes::way_out(bool is_first, std::uint32_t cell,
-                                                FieldPoint begin) const {
-  const auto [known, is_new] = ways_out_.try_emplace({is_first, cell});
+const FlightTimes::Places& FlightTimes::way_out(bool is_first, std::uint32_t stand,
+                                                std::uint32_t cell, FieldPoint begin) const {
+  const auto [known, is_new] = ways_out_.try_emplace({is_first, is_first ? 0 : stand, cell});
   if (is_new) {
-    const Places way = ferries_.way(is_first ? vehicle_.home : station_, begin);
+    const Places way = ferries_.way(is_first ? vehicle_.home : stands_[stand].station, begin);
     known->second.assign(way.begin() + 1, way.end() - 1);
   }
   return known->second;
 }
 
-SortieTimes FlightTimes::operator()(const planner::PlannedSortie& sortie, bool is_first) const {
+SortieTimes FlightTimes::operator()(const planner::PlannedSortie& sortie, bool is_first,
+                                    Ends ends) const {
   auto run = std::partition_point(runs_.begin(), runs_.end(),
                                   [&](const Run& r) { return r.last < sortie.first; });
   // Work goes on from a cell sprayed before, unless a ferry follows it.
@@ -197,15 +221,15 @@ SortieTimes FlightTimes::operator()(const planner::PlannedSortie& sortie, bool i
   const auto corner = [&](bool open) {
     return !run->to_its_end ? Corner::cut : open ? Corner::held : Corner::stop;
   };
-  Way way{is_first ? vehicle_.home : station_, vehicle_};
+  Way way{is_first ? vehicle_.home : stands_[ends.from].station, vehicle_};
   if (begins_run) {
-    for (const FieldPoint at : way_out(is_first, run->first, run->begin)) {
+    for (const FieldPoint at : way_out(is_first, ends.from, run->first, run->begin)) {
       way.add(at, vehicle_.ferry_speed, Corner::cut);
     }
     way.add(run->begin, vehicle_.ferry_speed, corner(false));
   } else {
     const std::uint32_t cell = std::max(sortie.first, run->first);
-    const Places& home = way_home(cell, run->stop(cell));
+    const Places& home = way_home(ends.from, cell, run->stop(cell));
     for (auto at = home.rbegin(); at != home.rend(); ++at) {
       way.add(*at, vehicle_.ferry_speed, Corner::cut);
     }
@@ -224,15 +248,15 @@ SortieTimes FlightTimes::operator()(const planner::PlannedSortie& sortie, bool i
   }
   way.add(run->stop(sortie.last), vehicle_.spray_speed, corner(false));
   const std::size_t sprayed_legs = way.legs();
-  for (const FieldPoint at : way_home(sortie.last, run->stop(sortie.last))) {
+  for (const FieldPoint at : way_home(ends.to, sortie.last, run->stop(sortie.last))) {
     way.add(at, vehicle_.ferry_speed, Corner::cut);
   }
-  way.add(station_, vehicle_.ferry_speed, Corner::stop);
+  way.add(stands_[ends.to].station, vehicle_.ferry_speed, Corner::stop);
   SortieTimes times = way.times(sprayed_legs);
   if (!late_s_.empty()) {
-    times.until_sprayed_s +=
-        late_out_s_[sortie.first] + (late_s_[sortie.last] - resume_late_s_[sortie.first]);
-    times.home_s += late_back_s_[sortie.last];
+    times.until_sprayed_s += stands_[ends.from].late_out_s[sortie.first] +
+                             (late_s_[sortie.last] - resume_late_s_[sortie.first]);
+    times.home_s += stands_[ends.to].late_back_s[sortie.last];
   }
   return times;
 }

@@ -3,7 +3,10 @@
 
 #include "planner/returns/problem.hpp"
 
+#include <cstdint>
 #include <map>
+#include <span>
+#include <tuple>
 #include <vector>
 
 namespace furrow::scheduler {
@@ -31,10 +34,19 @@ class FlightTimes {
  public:
   /// The route and the problem are copied from, not kept.
   FlightTimes(const planner::Route& route, const planner::ReturnProblem& problem);
+  /// @param problems  Of one share, by station; null where nothing ends. One at least.
+  FlightTimes(const planner::Route& route, std::span<const planner::ReturnProblem* const> problems);
 
-  /// @param is_first  Whether it starts at the aircraft's first position, not at the station.
+  /// Stations by their place among the problems.
+  struct Ends {
+    std::uint32_t from = 0, to = 0;
+  };
+  /// @param is_first  Whether it starts at the aircraft's first position, not at a station.
   /// Time O(strips of the sortie).
-  SortieTimes operator()(const planner::PlannedSortie& sortie, bool is_first) const;
+  SortieTimes operator()(const planner::PlannedSortie& sortie, bool is_first, Ends ends) const;
+  SortieTimes operator()(const planner::PlannedSortie& sortie, bool is_first) const {
+    return (*this)(sortie, is_first, Ends{});
+  }
 
  private:
   struct Run {                  ///< The part of a strip within the share.
@@ -49,18 +61,23 @@ class FlightTimes {
   };
 
   using Places = std::vector<FieldPoint>;
-  const Places& way_home(std::uint32_t cell, FieldPoint stop) const;
-  const Places& way_out(bool is_first, std::uint32_t cell, FieldPoint begin) const;
+  struct Stand {
+    FieldPoint station;
+    std::vector<double> back_m;                       ///< By cell.
+    std::vector<double> late_back_s{}, late_out_s{};  ///< By cell: longer than on level land [s].
+  };
+  void add_stand(const planner::ReturnProblem& problem);
+  const Places& way_home(std::uint32_t stand, std::uint32_t cell, FieldPoint stop) const;
+  const Places& way_out(bool is_first, std::uint32_t stand, std::uint32_t cell,
+                        FieldPoint begin) const;
 
   Vehicle vehicle_;
-  FieldPoint station_;
   planner::FerryMap ferries_;
-  std::vector<double> back_m_;
-  // By cell: longer than on level land [s].
-  std::vector<double> late_back_s_{}, late_out_s_{}, late_s_{}, resume_late_s_{};
+  std::vector<Stand> stands_{};
+  std::vector<double> late_s_{}, resume_late_s_{};  // by cell, as of the stands
   // As asked for: by cell those that bend, and from home or station to the first cell of a run.
-  mutable std::map<std::uint32_t, Places> ways_home_{};
-  mutable std::map<std::pair<bool, std::uint32_t>, Places> ways_out_{};
+  mutable std::map<std::pair<std::uint32_t, std::uint32_t>, Places> ways_home_{};
+  mutable std::map<std::tuple<bool, std::uint32_t, std::uint32_t>, Places> ways_out_{};
   std::vector<Run> runs_{};
 };
 

@@ -3,13 +3,10 @@
 #include "core/require.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 
 namespace furrow::scheduler {
 namespace {
-
-constexpr double over = std::numeric_limits<double>::infinity();
 
 /// The bay for one who comes at `arrives_s`: the lowest free one, else the one that is free first.
 std::size_t bay_for(double arrives_s, const std::vector<double>& free_s) {
@@ -19,41 +16,51 @@ std::size_t bay_for(double arrives_s, const std::vector<double>& free_s) {
   return static_cast<std::size_t>(bay - free_s.begin());
 }
 
-/// Serves the visits of `itineraries` in order of arrival. `served(i, visit)` hears of each; the
-/// vectors are scratch. A later arrival never changes an earlier service, so one pass is enough.
-template <class Served>
-void serve(const std::vector<const Itinerary*>& itineraries, std::uint32_t bays,
-           std::vector<double>& arrives_s, std::vector<double>& free_s,
-           std::vector<std::size_t>& next, Served served) {
-  const std::size_t count = itineraries.size();
-  free_s.assign(bays, 0.0);
-  next.assign(count, 0);
-  arrives_s.assign(count, over);
-  for (std::size_t i = 0; i < count; ++i) {
-    if (!itineraries[i]->flights_s.empty()) arrives_s[i] = itineraries[i]->flights_s[0];
-  }
-  for (;;) {
-    const auto first = std::min_element(arrives_s.begin(), arrives_s.end());
-    if (first == arrives_s.end() || *first == over) return;
-    const auto i = static_cast<std::size_t>(first - arrives_s.begin());
-    const Itinerary& it = *itineraries[i];
-    const std::size_t bay = bay_for(*first, free_s);
-    const double starts_s = std::max(*first, free_s[bay]);
-    const double ready_s = starts_s + it.services_s[next[i]];
-    served(i, Visit{*first, starts_s, ready_s, static_cast<std::uint32_t>(bay + 1)});
+struct Arrival {
+  double at_s;
+  std::size_t who;
+};
+
+/// Of two who come at once, the earlier in the list is served first.
+bool is_later(const Arrival& a, const Arrival& b) {
+  return a.at_s != b.at_s ? a.at_s > b.at_s : a.who > b.who;
+}
+
+/// Serves the visits of `itineraries` in order of arrival. `bays(i, n)` gives the bays that visit n
+/// of itinerary i may use, by when they are free; `served(i, visit)` hears of each. A later arrival
+/// never changes an earlier service, so one pass is enough.
+template <class Bays, class Served>
+void serve(std::span<const Itinerary> itineraries, Bays bays, Served served) {
+  std::vector<Arrival> arrivals;
+  std::vector<std::size_t> next(itineraries.size(), 0);
+  const auto arrive = [&](std::size_t i, double leaves_s) {
+    if (next[i] >= itineraries[i].flights_s.size()) return;
+    arrivals.push_back({leaves_s + itineraries[i].flights_s[next[i]], i});
+    std::push_heap(arrivals.begin(), arrivals.end(), is_later);
+  };
+  for (std::size_t i = 0; i < itineraries.size(); ++i) arrive(i, 0.0);
+  while (!arrivals.empty()) {
+    const auto [at_s, i] = arrivals.front();
+    std::pop_heap(arrivals.begin(), arrivals.end(), is_later);
+    arrivals.pop_back();
+    std::vector<double>& free_s = bays(i, next[i]);
+    const std::size_t bay = bay_for(at_s, free_s);
+    const double starts_s = std::max(at_s, free_s[bay]);
+    const double ready_s = starts_s + itineraries[i].services_s[next[i]];
+    served(i, Visit{at_s, starts_s, ready_s, static_cast<std::uint32_t>(bay + 1)});
     free_s[bay] = ready_s;
     ++next[i];
-    *first = next[i] < it.flights_s.size() ? ready_s + it.flights_s[next[i]] : over;
+    arrive(i, ready_s);
   }
 }
 
 }  // namespace
 
-Itinerary grounded(AgentId agent, std::uint32_t station) {
+Itinerary grounded(AgentId agent) {
   return {.agent = agent,
-          .station = station,
           .flights_s = {},
           .services_s = {},
+          .stations = {},
           .last_spray_s = 0,
           .last_home_s = 0,
           .flies = false};
@@ -61,13 +68,22 @@ Itinerary grounded(AgentId agent, std::uint32_t station) {
 
 Itinerary itinerary(AgentId agent, std::uint32_t station, const planner::ReturnPlan& plan,
                     const FlightTimes& times) {
-  Itinerary it = grounded(agent, station);
+  Itinerary it = itinerary(agent, std::vector(plan.sorties.size(), 0U), plan, times);
+  it.stations.assign(it.stations.size(), station);
+  return it;
+}
+
+Itinerary itinerary(AgentId agent, std::span<const std::uint32_t> landings,
+                    const planner::ReturnPlan& plan, const FlightTimes& times) {
+  Itinerary it = grounded(agent);
   it.flies = true;
   for (std::size_t n = 0; n < plan.sorties.size(); ++n) {
-    const SortieTimes flown = times(plan.sorties[n], n == 0);
+    const FlightTimes::Ends ends{.from = landings[n == 0 ? 0 : n - 1], .to = landings[n]};
+    const SortieTimes flown = times(plan.sorties[n], n == 0, ends);
     if (n + 1 < plan.sorties.size()) {
       it.flights_s.push_back(flown.until_sprayed_s + flown.home_s);
       it.services_s.push_back(plan.sorties[n].service_s);
+      it.stations.push_back(landings[n]);
     } else {
       it.last_spray_s = flown.until_sprayed_s;
       it.last_home_s = flown.home_s;
@@ -86,21 +102,16 @@ Forecast forecast(std::span<const Itinerary> itineraries, std::span<const Statio
   f.visits.resize(count);
   f.spray_ends_s.assign(count, 0.0);
   f.lands_s.assign(count, 0.0);
-  std::vector<double> arrives_s, free_s;
-  std::vector<std::size_t> next;
-  for (std::size_t s = 0; s < stations.size(); ++s) {
-    std::vector<const Itinerary*> here;
-    std::vector<std::size_t> index;
-    for (std::size_t i = 0; i < count; ++i) {
-      if (itineraries[i].station != s) continue;
-      here.push_back(&itineraries[i]);
-      index.push_back(i);
-    }
-    serve(here, stations[s].bays, arrives_s, free_s, next, [&](std::size_t i, const Visit& visit) {
-      f.visits[index[i]].push_back(visit);
-      f.queue_wait_s += visit.starts_s - visit.arrives_s;
-    });
-  }
+  std::vector<std::vector<double>> free_s;
+  free_s.reserve(stations.size());
+  for (const Station& s : stations) free_s.emplace_back(s.bays, 0.0);
+  serve(
+      itineraries,
+      [&](std::size_t i, std::size_t n) -> auto& { return free_s[itineraries[i].stations[n]]; },
+      [&](std::size_t i, const Visit& visit) {
+        f.visits[i].push_back(visit);
+        f.queue_wait_s += visit.starts_s - visit.arrives_s;
+      });
   for (std::size_t i = 0; i < count; ++i) {
     const Itinerary& it = itineraries[i];
     if (!it.flies) continue;
@@ -119,16 +130,16 @@ QueueClock::QueueClock(std::uint32_t bays, std::vector<Itinerary> itineraries)
 
 double QueueClock::queue_wait_s(std::size_t index, Itinerary other) {
   itineraries_[index] = std::move(other);
-  std::vector<const Itinerary*> all;
-  for (const Itinerary& it : itineraries_) all.push_back(&it);
   double wait_s = 0.0;
-  serve(all, static_cast<std::uint32_t>(free_s_.size()), arrives_s_, free_s_, next_,
-        [&](std::size_t, const Visit& v) { wait_s += v.starts_s - v.arrives_s; });
+  free_s_.assign(free_s_.size(), 0.0);
+  serve(
+      itineraries_, [&](std::size_t, std::size_t) -> auto& { return free_s_; },
+      [&](std::size_t, const Visit& v) { wait_s += v.starts_s - v.arrives_s; });
   return wait_s;
 }
 
 double QueueClock::queue_wait_without_s(std::size_t index) {
-  return queue_wait_s(index, grounded(itineraries_[index].agent, itineraries_[index].station));
+  return queue_wait_s(index, grounded(itineraries_[index].agent));
 }
 
 }  // namespace furrow::scheduler

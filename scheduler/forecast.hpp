@@ -14,21 +14,26 @@ namespace furrow::scheduler {
 /// The times of one aircraft's plan that a queue cannot change, in seconds.
 struct Itinerary {
   AgentId agent;
-  std::uint32_t station;  ///< Index into the fleet's stations.
   /// One entry per return: the flight that ends with it, and the time in the bay after it.
   std::vector<double> flights_s, services_s;
+  std::vector<std::uint32_t> stations;  ///< One per return: index into the fleet's stations.
   double last_spray_s;  ///< From the last leaving of the station to the last sprayed cell.
   double last_home_s;   ///< From there to the station.
   bool flies;           ///< False for an empty share.
 };
 
-/// The plan as it is flown.
-/// @param times  Of the share that the plan is for.
+/// The plan as it is flown, all of it from one station.
+/// @param times  Of the share that the plan is for, with that station alone.
 Itinerary itinerary(AgentId agent, std::uint32_t station, const planner::ReturnPlan& plan,
                     const FlightTimes& times);
 
+/// The plan as it is flown from several.
+/// @param landings  By sortie: the station where it ends, as the fleet and `times` count them.
+Itinerary itinerary(AgentId agent, std::span<const std::uint32_t> landings,
+                    const planner::ReturnPlan& plan, const FlightTimes& times);
+
 /// Of an aircraft without a share.
-Itinerary grounded(AgentId agent, std::uint32_t station);
+Itinerary grounded(AgentId agent);
 
 /// How a fleet's mission is expected to go.
 struct Forecast {
@@ -44,10 +49,10 @@ std::tuple<double, double> worth(const Forecast& forecast);
 /// Flies all itineraries from mission time 0. Each station serves first come first served, those
 /// who come at the same instant by agent id, in the lowest free bay.
 ///
-/// Time O(visits * (itineraries + bays)).
+/// Time O(visits * (log itineraries + bays)).
 Forecast forecast(std::span<const Itinerary> itineraries, std::span<const Station> stations);
 
-/// The same for the aircraft of one station, without keeping the visits: for the inside of an
+/// The same for aircraft that all use one station, without keeping the visits: for the inside of an
 /// optimisation, where it is asked for a hundred thousand times.
 class QueueClock {
  public:
@@ -61,8 +66,7 @@ class QueueClock {
 
  private:
   std::vector<Itinerary> itineraries_;  ///< In order of agent id.
-  std::vector<double> arrives_s_, free_s_;
-  std::vector<std::size_t> next_;
+  std::vector<double> free_s_;
 };
 
 }  // namespace furrow::scheduler

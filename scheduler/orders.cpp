@@ -21,8 +21,9 @@ Piece piece(const planner::Route& route, const planner::Strip& strip, CellRange 
   if (planner::sprays_ends(strip)) return end_piece(route, strip, cells);
   const bool is_strip_start = cells.first == strip.cells.first;
   const bool continues = cells.first > share_first && (!is_strip_start || strip.continues);
+  const FieldPoint begin = route.centers[continues ? cells.first - 1 : cells.first];
   return {.cells = cells,
-          .entry = route.centers[continues ? cells.first - 1 : cells.first],
+          .entry = is_strip_start ? strip.joins.value_or(begin) : begin,
           .from = route.centers[cells.first],
           .to = route.centers[end(cells) - 1],
           .exit = route.centers[end(cells) - 1]};
@@ -30,8 +31,8 @@ Piece piece(const planner::Route& route, const planner::Strip& strip, CellRange 
 
 /// The cells first .. last - 1 of the route, one piece per strip.
 SortieOrder sortie_order(const planner::Route& route, const UavPlan& uav, std::uint32_t first,
-                         std::uint32_t last) {
-  SortieOrder order{.pieces = {}, .station = uav.station.id};
+                         std::uint32_t last, const Station& landing) {
+  SortieOrder order{.pieces = {}, .station = landing.id};
   for (std::size_t s = planner::strip_of(route, first); first < last; ++s) {
     const planner::Strip& strip = route.strips[s];
     const std::uint32_t stop = std::min(last, end(strip.cells));
@@ -56,10 +57,10 @@ std::vector<SortieOrder> orders(const planner::Route& route, const UavPlan& uav)
   for (const std::uint32_t index : uav.solution.plan.returns) {
     const std::uint32_t stop = uav.cells.first + index + 1;
     require(stop > first && stop < end(uav.cells), "return points rise and lie within the share");
-    sorties.push_back(sortie_order(route, uav, first, stop));
+    sorties.push_back(sortie_order(route, uav, first, stop, landing(uav, sorties.size())));
     first = stop;
   }
-  sorties.push_back(sortie_order(route, uav, first, end(uav.cells)));
+  sorties.push_back(sortie_order(route, uav, first, end(uav.cells), landing(uav, sorties.size())));
   return sorties;
 }
 

@@ -3,7 +3,9 @@
 #include "core/require.hpp"
 #include "scheduler/draft.hpp"
 #include "scheduler/fleet_returns.hpp"
+#include "scheduler/joint_plan.hpp"
 #include "scheduler/lower_bound.hpp"
+#include "scheduler/path_model.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -234,18 +236,65 @@ Expected<Solved, PlanError> best_solved(const FleetProblem& problem, const Sketc
   return best;
 }
 
-/// Never above the makespan. Those who come late count as if they were there from the start. An
-/// aircraft alone with one station has its solver's tighter bound.
-double lower_bound_s(const FleetProblem& problem, const Sketch& s, const Solved& found) {
-  double bound_s =
-      makespan_bound_s(s.coverage.route, s.lengths, whole_fleet(problem), problem.stations);
-  if (whole_fleet(problem).size() == 1 && problem.stations.size() == 1) {
-    const planner::ReturnProblem& only = *found.tasks[0].problem;
-    bound_s =
-        std::max(bound_s, only.fly_out_m / only.vehicle.ferry_speed.base() +
-                              only.on_route_s.back() + found.returns.solutions[0].lower_bound_s);
+/// Those who come late count as if they were there from the start. On surveys, whose strips have
+/// no length, of contiguous shares only. An aircraft alone with one station has its solver's bound
+/// besides.
+MakespanBound lower_bound(const FleetProblem& problem, const Sketch& s, const Solved& found) {
+  const std::vector<Vehicle> fleet = whole_fleet(problem);
+  const planner::Route& route = s.coverage.route;
+  MakespanBound bound = fleet_bound(route, fleet, problem.stations);
+  if (bound.name.empty()) {
+    bound = {makespan_bound_s(route, s.lengths, fleet, problem.stations), "shares"};
   }
-  return std::min(bound_s, found.returns.forecast.makespan_s);
+  if (fleet.size() > 1 || problem.stations.size() > 1) return bound;
+  const planner::ReturnProblem& only = *found.tasks[0].problem;
+  const double by_returns_s = only.fly_out_m / only.vehicle.ferry_speed.base() +
+                              only.on_route_s.back() + found.returns.solutions[0].lower_bound_s;
+  return by_returns_s > bound.makespan_s ? MakespanBound{by_returns_s, "returns"} : bound;
+}
+
+/// The plan as lists.
+SortieLists lists_of(const Sketch& s, const Solved& found) {
+  SortieLists lists(found.shares.size());
+  for (std::size_t u = 0; u < lists.size(); ++u) {
+    const CellRange cells = cells_of(s.coverage.route, found.shares[u].strips);
+    std::uint32_t first = cells.first;
+    const auto add = [&](std::uint32_t stop) {
+      lists[u].push_back({.cells = {first, stop - first}, .station = found.shares[u].station});
+      first = stop;
+    };
+    for (const std::uint32_t last : found.returns.solutions[u].plan.returns)
+      add(cells.first + last + 1);
+    if (cells.count > 0) add(end(cells));
+  }
+  return lists;
+}
+
+/// Sorties chosen for the fleet together, where there is a choice and the settings want it.
+std::optional<JointPlan> jointly(const FleetProblem& problem, const Sketch& s,
+                                 const Solved& found) {
+  const bool has_choice = problem.vehicles.size() > 1 || problem.stations.size() > 1;
+  if (!has_choice || !planner::is_by_gravity(problem.solver.returns) || problem.survey) {
+    return std::nullopt;
+  }
+  return joint_plan(s.coverage.route, s.lengths, problem.vehicles, problem.stations, problem.solver,
+                    lists_of(s, found));
+}
+
+std::vector<UavPlan> planned_shares(const FleetProblem& problem, const Sketch& s, Solved& found) {
+  std::vector<UavPlan> plans;
+  for (std::size_t u = 0; u < problem.vehicles.size(); ++u) {
+    const Share& share = found.shares[u];
+    plans.push_back({.vehicle = problem.vehicles[u],
+                     .station = problem.stations[share.station],
+                     .strips = share.strips,
+                     .cells = cells_of(s.coverage.route, share.strips),
+                     .solution = std::move(found.returns.solutions[u]),
+                     .visits = std::move(found.returns.forecast.visits[u]),
+                     .spray_ends_s = found.returns.forecast.spray_ends_s[u],
+                     .lands_s = found.returns.forecast.lands_s[u]});
+  }
+  return plans;
 }
 
 bool is_over(const planner::KeepOut& volume, const Ring& boundary) {
@@ -328,31 +377,36 @@ Expected<FleetPlan, PlanError> plan_fleet(const FleetProblem& problem) {
   Sketch& s = *sketched;
   auto found = best_solved(problem, s);
   if (!found) return Unexpected{found.error()};
-  FleetReturns& returns = found->returns;
-
+  MakespanBound bound = lower_bound(problem, s, *found);
   FleetPlan plan{.route = {},
                  .sweep = s.coverage.sweep,
                  .work_direction_deg = s.coverage.direction_deg,
                  .uavs = {},
-                 .makespan_s = returns.forecast.makespan_s,
-                 .lower_bound_s = lower_bound_s(problem, s, *found)};
-  for (std::size_t u = 0; u < problem.vehicles.size(); ++u) {
-    const Share& share = found->shares[u];
-    plan.uavs.push_back({.vehicle = problem.vehicles[u],
-                         .station = problem.stations[share.station],
-                         .strips = share.strips,
-                         .cells = cells_of(s.coverage.route, share.strips),
-                         .solution = std::move(returns.solutions[u]),
-                         .visits = std::move(returns.forecast.visits[u]),
-                         .spray_ends_s = returns.forecast.spray_ends_s[u],
-                         .lands_s = returns.forecast.lands_s[u]});
+                 .makespan_s = found->returns.forecast.makespan_s,
+                 .lower_bound_s = bound.makespan_s,
+                 .bound = std::move(bound.name)};
+  auto joint = jointly(problem, s, *found);
+  if (joint) {
+    plan.yardsticks = {.shares_s = plan.makespan_s,
+                       .till_empty_s = joint->till_empty_s,
+                       .simple_s = joint->simple_s,
+                       .evaluations = joint->evaluations,
+                       .is_joint = worth(joint->flown.forecast) < worth(found->returns.forecast)};
   }
+  if (joint && plan.yardsticks->is_joint) {
+    plan.makespan_s = joint->flown.forecast.makespan_s;
+    plan.uavs = std::move(joint->flown.uavs);
+    plan.route = std::move(joint->flown.order.route);
+  } else {
+    plan.uavs = planned_shares(problem, s, *found);
+    plan.route = std::move(s.coverage.route);
+  }
+  plan.lower_bound_s = std::min(plan.lower_bound_s, plan.makespan_s);
   for (const Vehicle& vehicle : problem.joining) {
     plan.uavs.push_back(without_share(vehicle, problem.stations));
   }
   std::sort(plan.uavs.begin(), plan.uavs.end(),
             [](const UavPlan& a, const UavPlan& b) { return a.vehicle.id < b.vehicle.id; });
-  plan.route = std::move(s.coverage.route);
   return plan;
 }
 

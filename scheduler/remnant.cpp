@@ -16,6 +16,7 @@ planner::Strip cut(const planner::Route& whole, const planner::Strip& strip, Cel
   left.begin = planner::start_point(whole, strip, cells.first);
   left.end = planner::stop_point(whole, strip, end(cells) - 1);
   left.continues = false;
+  if (cells.first > strip.cells.first) left.joins.reset();
   left.approach.clear();
   left.approach_altitudes_m.clear();
   return left;

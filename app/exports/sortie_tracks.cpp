@@ -50,15 +50,16 @@ std::vector<exchange::SortieTrack> sortie_tracks(const scheduler::FleetPlan& pla
     std::uint32_t number = 0;
     FieldPoint home = uav.vehicle.home;
     for (const SortieOrder& order : scheduler::orders(plan.route, uav)) {
+      const FieldPoint landing = scheduler::landing(uav, number).position;
       tracks.push_back({.uav = uav.vehicle.id,
                         .sortie = ++number,
                         .home = home,
-                        .landing = uav.station.position,
-                        .points = track(order, home, uav.station.position, plan.route.ferries),
+                        .landing = landing,
+                        .points = track(order, home, landing, plan.route.ferries),
                         .altitude = survey_height.value_or(metres(altitude_m)),
                         .spray_speed = uav.vehicle.spray_speed,
                         .ferry_speed = uav.vehicle.ferry_speed});
-      home = uav.station.position;  // from the second sortie on
+      home = landing;  // from the second sortie on
     }
   }
   return tracks;

@@ -111,7 +111,10 @@ void add_work(Json& features, const planner::Route& route, const scheduler::UavP
     const std::uint32_t last = uav.cells.first + plan.returns[k];
     const FieldPoint at =
         planner::stop_point(route, route.strips[planner::strip_of(route, last)], last);
-    Json properties{{"kind", "return_point"}, {"uav", id}, {"sortie", k + 1}};
+    Json properties{{"kind", "return_point"},
+                    {"uav", id},
+                    {"sortie", k + 1},
+                    {"station", number(scheduler::landing(uav, k).id)}};
     if (k < plan.sorties.size()) properties["spray_m"] = rounded(plan.sorties[k].spray_m);
     features.push_back(feature("Point", position(at), std::move(properties)));
   }

@@ -43,7 +43,8 @@ struct FleetFigures {
   double makespan_s;  ///< Mission time of the last sprayed cell.
   double planned_makespan_s;
   double lower_bound_s;
-  double gap;  ///< makespan / lower bound - 1.
+  std::string bound;  ///< What holds the fleet up by that bound; empty if nothing is known.
+  double gap;         ///< makespan / lower bound - 1.
   double spray_s, non_spray_s, queue_wait_s;
   double route_m;  ///< At work: strips and the connections between them, sortie by sortie.
   double ferry_m;
@@ -119,6 +120,7 @@ struct SolverFigures {
   std::optional<double> anywhere_lower_bound_s, anywhere_gap;
   std::uint64_t evaluations;
   double wall_s;
+  std::optional<scheduler::Yardsticks> yardsticks;  ///< Where sorties were chosen jointly.
 };
 
 struct BayFigures {

@@ -88,6 +88,7 @@ Json json(const FleetFigures& f) {
   return {{"makespan_s", rounded(f.makespan_s)},
           {"planned_makespan_s", rounded(f.planned_makespan_s)},
           {"lower_bound_s", rounded(f.lower_bound_s)},
+          {"bound", f.bound},
           {"gap", rounded(f.gap)},
           {"spray_s", rounded(f.spray_s)},
           {"non_spray_s", rounded(f.non_spray_s)},
@@ -152,6 +153,13 @@ Json json(const BatteryFigures& b) {
   return {{"uav", b.uav}, {"pack", b.pack}, {"used", rounded(b.used)}};
 }
 
+Json json(const scheduler::Yardsticks& y) {
+  return {{"joint", y.is_joint},
+          {"shares_s", rounded(y.shares_s)},
+          {"till_empty_s", rounded(y.till_empty_s)},
+          {"simple_s", rounded(y.simple_s)}};
+}
+
 Json json(const SolverFigures& s) {
   return {{"returns", s.returns},
           {"refined", s.refined},
@@ -171,7 +179,8 @@ Json json(const SolverFigures& s) {
           {"anywhere_lower_bound_s", rounded(s.anywhere_lower_bound_s)},
           {"anywhere_gap", rounded(s.anywhere_gap)},
           {"evaluations", s.evaluations},
-          {"wall_s", rounded(s.wall_s)}};
+          {"wall_s", rounded(s.wall_s)},
+          {"fleet", s.yardsticks ? json(*s.yardsticks) : Json{}}};
 }
 
 Json json(const BayFigures& b) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace furrow::app {
 namespace {
@@ -17,11 +18,17 @@ void add_yardsticks(const MissionRecord& record, SolverFigures& f) {
   double until_empty_s = 0, anywhere_s = 0, widest = 0;
   bool is_told = true;
   const bool is_level = record.plan.route.ferries.relief() == nullptr;
-  bool is_bracketed = record.plan.sweep.has_value() && is_level;
+  const bool is_joint = record.plan.yardsticks && record.plan.yardsticks->is_joint;
+  bool is_bracketed = record.plan.sweep.has_value() && is_level && !is_joint;
+  std::map<StationId, planner::StationLengths> lengths;
   for (const scheduler::UavPlan& uav : record.plan.uavs) {
     if (uav.cells.count == 0) continue;
-    const auto problem =
-        planner::return_problem(record.plan.route, uav.cells, uav.vehicle, uav.station);
+    const auto [known, is_new] = lengths.try_emplace(uav.station.id);
+    if (is_new) {
+      known->second = planner::station_lengths(record.plan.route, uav.station.position);
+    }
+    const auto problem = planner::return_problem(record.plan.route, uav.cells, uav.vehicle,
+                                                 uav.station, known->second);
     const auto until_empty = planner::unplanned_plan(problem);
     is_told = is_told && until_empty;
     if (until_empty) until_empty_s += until_empty->non_spray_s;
@@ -56,11 +63,12 @@ bool is_proven(const planner::Solution& solution) {
 
 SolverFigures solver_figures(const MissionRecord& record) {
   const planner::SolveSettings& settings = record.scenario.solver;
-  const bool is_gsa = settings.returns == planner::ReturnStrategy::gsa;
+  const bool is_joint = record.plan.yardsticks && record.plan.yardsticks->is_joint;
+  const bool is_gsa = planner::is_by_gravity(settings.returns) && !is_joint;
   SolverFigures f{};
   f.returns = planner::name(settings.returns);
   f.refined = is_gsa && settings.refine;
-  f.proven = true;
+  f.proven = !is_joint;
   f.wall_s = record.timing.solver_wall_s;
   double gsa_s = 0;
   for (const scheduler::UavPlan& uav : record.plan.uavs) {
@@ -79,6 +87,8 @@ SolverFigures solver_figures(const MissionRecord& record) {
     f.evaluations += solution.evaluations;
     gsa_s += solution.gsa_objective_s;
   }
+  f.yardsticks = record.plan.yardsticks;
+  if (f.yardsticks) f.evaluations += f.yardsticks->evaluations;
   if (is_gsa) f.gsa_s = gsa_s;
   add_yardsticks(record, f);
   if (f.proven) f.optimum_s = f.lower_bound_s;

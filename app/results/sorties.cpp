@@ -21,6 +21,12 @@ double spray_began_s(const FlownUav& flown, const SortieReport& sortie, FieldPoi
   return std::min(at_s(sortie.began) + out.base(), at_s(sortie.spray_ended));
 }
 
+FieldPoint position_of(StationId id, std::span<const Station> stations) {
+  const auto station =
+      std::find_if(stations.begin(), stations.end(), [id](const Station& s) { return s.id == id; });
+  return station == stations.end() ? FieldPoint{} : station->position;
+}
+
 FieldPoint start_of(const planner::Route& route, std::uint32_t cell) {
   return planner::start_point(route, route.strips[planner::strip_of(route, cell)], cell);
 }
@@ -55,14 +61,15 @@ std::vector<SortieFigures> planned_sorties(const planner::Route& route,
     f.spray_ended_s = landed_s - s.fly_back_s;
     f.landed_s = landed_s;
     if (visit) {
-      f.round_trip_m = (route.ferries.length(returned, uav.station.position) +
-                        route.ferries.length(starts_after(s.last), uav.station.position))
+      const Station& station = scheduler::landing(uav, k);
+      f.round_trip_m = (route.ferries.length(returned, station.position) +
+                        route.ferries.length(starts_after(s.last), station.position))
                            .base();
       f.battery_swap_s = s.battery_swap_s;
       f.fill_s = s.fill_s;
       f.fill = k + 1 < sorties.size() ? sorties[k + 1].spray_m / tank_range(uav.vehicle).base() : 0;
       f.wait_s = visit->starts_s - visit->arrives_s;
-      f.station = number(uav.station.id);
+      f.station = number(station.id);
       f.bay = visit->bay;
       f.service_began_s = visit->starts_s;
       f.ready_s = ready_s = visit->ready_s;
@@ -72,7 +79,8 @@ std::vector<SortieFigures> planned_sorties(const planner::Route& route,
   return figures;
 }
 
-std::vector<SortieFigures> flown_sorties(const FlownUav& flown, const scheduler::UavPlan& uav) {
+std::vector<SortieFigures> flown_sorties(const FlownUav& flown, const scheduler::UavPlan& uav,
+                                         std::span<const Station> stations) {
   std::vector<SortieFigures> figures;
   FieldPoint from = uav.vehicle.home;
   for (const SortieReport& s : flown.sorties) {
@@ -88,7 +96,8 @@ std::vector<SortieFigures> flown_sorties(const FlownUav& flown, const scheduler:
     f.spray_ended_s = at_s(s.spray_ended);
     f.landed_s = at_s(s.landed);
     if (s.serviced) {
-      f.round_trip_m = 2 * distance(s.returned_at, uav.station.position).base();
+      from = position_of(s.station, stations);
+      f.round_trip_m = 2 * distance(s.returned_at, from).base();
       f.battery_swap_s = s.swapped ? s.swap_time.base() : 0;
       f.fill_s = s.fill_time.base();
       f.fill = s.filled;
@@ -99,7 +108,6 @@ std::vector<SortieFigures> flown_sorties(const FlownUav& flown, const scheduler:
       f.ready_s = f.service_began_s + std::max(f.battery_swap_s, f.fill_s);
     }
     figures.push_back(f);
-    from = uav.station.position;
   }
   return figures;
 }

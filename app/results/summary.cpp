@@ -56,11 +56,16 @@ double cell_area_m2(const MissionRecord& record) {
 FieldFigures field_figures(const MissionRecord& record) {
   const planner::Route& route = record.plan.route;
   double strips_m = 0;
-  for (const planner::Strip& s : route.strips) strips_m += distance(s.begin, s.end).base();
+  std::uint32_t strips = 0;  // those cut for several sorties count once
+  for (const planner::Strip& s : route.strips) {
+    strips_m += distance(s.begin, s.end).base();
+    if (s.joins && !planner::sprays_ends(s)) strips_m += distance(*s.joins, s.begin).base();
+    strips += !s.joins;
+  }
   const std::optional<Area> stated = record.scenario.stated_area;
   return {.area_m2 = area(record.scenario.field).base(),
           .stated_area_m2 = stated ? std::optional{stated->base()} : std::nullopt,
-          .strips = static_cast<std::uint32_t>(route.strips.size()),
+          .strips = strips,
           .strip_length_m = strips_m,
           .cells = static_cast<std::uint32_t>(route.centers.size() + route.missed.size())};
 }
@@ -209,11 +214,10 @@ UavFigures planned_figures(const planner::Route& route, const scheduler::UavPlan
   return f;
 }
 
-UavFigures flown_figures(const FlownUav& flown, const scheduler::UavPlan& uav, bool lost,
-                         double area_m2) {
+UavFigures flown_figures(const FlownUav& flown, const scheduler::UavPlan& uav,
+                         std::span<const Station> stations, double area_m2) {
   UavFigures f = common_figures(uav, area_m2);
-  f.lost = lost;
-  f.sorties = flown_sorties(flown, uav);
+  f.sorties = flown_sorties(flown, uav, stations);
   for (const SortieReport& s : flown.sorties) f.ferry_m += s.ferried.base();
   for (const SortieFigures& s : f.sorties) f.queue_wait_s += s.wait_s;
   f.spray_s = open_valve_s(flown.track);
@@ -253,6 +257,7 @@ FleetFigures fleet_figures(const MissionRecord& record, const Flown& flown, cons
   f.makespan_s = is_flown ? flown.last_spray_s : record.plan.makespan_s;
   f.planned_makespan_s = record.plan.makespan_s;
   f.lower_bound_s = record.plan.lower_bound_s;
+  f.bound = record.plan.bound;
   f.gap = gap_above(f.makespan_s, f.lower_bound_s).value_or(0);
   for (const UavFigures& uav : result.uavs) {
     f.spray_s += uav.spray_s;
@@ -372,9 +377,9 @@ Result summary(const MissionRecord& record, const Flown& flown) {
     const scheduler::UavPlan& uav = record.plan.uavs[i];
     const std::span<const double> flown_shares{shares.data() + uav.cells.first, uav.cells.count};
     const double area_m2 = sum(flown_shares) * cell_area_m2(record);
-    r.uavs.push_back(
-        is_flown ? flown_figures(flown.uavs[i], uav, flown.lost.contains(uav.vehicle.id), area_m2)
-                 : planned_figures(record.plan.route, uav, area_m2));
+    r.uavs.push_back(is_flown ? flown_figures(flown.uavs[i], uav, record.scenario.stations, area_m2)
+                              : planned_figures(record.plan.route, uav, area_m2));
+    r.uavs.back().lost = is_flown && flown.lost.contains(uav.vehicle.id);
   }
   r.sweep = record.plan.sweep;
   if (planner::is_survey(record.plan.route)) {

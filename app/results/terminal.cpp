@@ -22,6 +22,22 @@ std::string state(const Result& r) {
   return r.completed ? "completed" : "NOT COMPLETED";
 }
 
+std::string bound(const FleetFigures& f) {
+  const std::string name = f.bound.empty() ? "" : fmt::format(" ({})", f.bound);
+  return fmt::format("{:.2f}{}", f.lower_bound_s / 60, name);
+}
+
+std::string minutes_or_none(std::optional<double> s) {
+  return s ? fmt::format("{:.2f}", *s / 60) : "out of reach";
+}
+
+// What the plan was chosen from.
+std::string yardstick_row(const scheduler::Yardsticks& y) {
+  return fmt::format("{}; shares of strips {:.2f} min, till empty {}, simple {}\n",
+                     y.is_joint ? "sorties chosen jointly" : "joint search found nothing faster",
+                     y.shares_s / 60, minutes_or_none(y.till_empty_s), minutes_or_none(y.simple_s));
+}
+
 std::string distance_to_bound(const SolverFigures& s) {
   if (!s.gap) return "no bound known";
   return fmt::format("{:.2f} % above {}", 100 * *s.gap, s.proven ? "the optimum" : "the bound");
@@ -78,10 +94,11 @@ std::string summary_table(const Result& r) {
                          r.datum->lat_deg, r.datum->lon_deg);
   }
   table += fmt::format(
-      "last {} {:.2f} min, planned {:.2f}, no plan below {:.2f}; returns by {}: "
+      "last {} {:.2f} min, planned {:.2f}, no plan below {}; returns by {}: "
       "{}\n",
       r.survey ? "visit" : "cell", r.fleet.makespan_s / 60, r.fleet.planned_makespan_s / 60,
-      r.fleet.lower_bound_s / 60, r.solver.returns, distance_to_bound(r.solver));
+      bound(r.fleet), r.solver.returns, distance_to_bound(r.solver));
+  if (r.solver.yardsticks) table += yardstick_row(*r.solver.yardsticks);
   for (const ExpectationFigures& e : r.expectations) {
     if (!e.met) table += cut("missed: " + e.message);
   }

@@ -66,12 +66,13 @@ MissionWays planned_ways(const MissionRecord& record) {
   const planner::FerryMap& ferries = record.plan.route.ferries;
   for (const scheduler::UavPlan& uav : record.plan.uavs) {
     FieldPoint from = uav.vehicle.home;
+    std::size_t sorties = 0;
     for (const SortieOrder& sortie : scheduler::orders(record.plan.route, uav)) {
       const Way way = way_at_work(sortie);
       ways.at_work.push_back(way);
       Way whole = ferries.way(from, way.front());
       whole.insert(whole.end(), way.begin() + 1, way.end());
-      from = uav.station.position;
+      from = scheduler::landing(uav, sorties++).position;
       const Way home = ferries.way(way.back(), from);
       whole.insert(whole.end(), home.begin() + 1, home.end());
       ways.whole.push_back(std::move(whole));

@@ -130,9 +130,9 @@ void BM_forecast(benchmark::State& state) {
   std::vector<Itinerary> fleet;
   for (std::uint32_t i = 0; i < 20; ++i) {
     fleet.push_back({.agent = AgentId{i + 1},
-                     .station = i % 2,
                      .flights_s = std::vector(10, 950.0 + 3.0 * i),
                      .services_s = std::vector(10, 60.0),
+                     .stations = std::vector(10, i % 2),
                      .last_spray_s = 500,
                      .last_home_s = 50,
                      .flies = true});

@@ -33,7 +33,9 @@ Strip end_strip(CellRange cells, FieldPoint begin, FieldPoint end,
           .end = end,
           .continues = false,
           .approach = std::move(approach),
-          .approach_altitudes_m = {}};
+          .approach_altitudes_m = {},
+          .width = {},
+          .joins = {}};
 }
 
 Route end_to_end_route(Length cell, std::vector<Strip> strips) {
@@ -78,10 +80,7 @@ FieldPoint resume_point(const Route& route, std::uint32_t cell) {
   const std::size_t s = strip_of(route, cell);
   const Strip& strip = route.strips[s];
   const bool is_last = cell + 1 == end(strip.cells) && s + 1 < route.strips.size();
-  const bool is_left = sprays_ends(strip) || is_survey(route);
-  if (is_last && is_left && !route.strips[s + 1].continues) {
-    return route.strips[s + 1].begin;
-  }
+  if (is_last && !route.strips[s + 1].continues) return route.strips[s + 1].begin;
   return stop_point(route, strip, cell);
 }
 
@@ -132,7 +131,7 @@ std::vector<CellStop> cell_stops(const Route& route, CellRange cells) {
       const bool is_ferried = is_reached && !strip.continues;
       const double approach_m =
           is_ferried ? approach_length(route.strips[s - 1], strip).base() : 0.0;
-      if (is_ferried && (sprays_ends(route.strips[s - 1]) || is_survey(route))) {
+      if (is_ferried) {
         stops.back().resume = strip.begin;
         stops.back().skipped_m = approach_m;
       }

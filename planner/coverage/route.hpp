@@ -4,6 +4,7 @@
 #include "core/work.hpp"
 #include "planner/ferry/ferry_map.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace furrow::planner {
@@ -26,11 +27,14 @@ struct Strip {
   /// Of these, above the datum [m]; none: as high as strips are flown.
   std::vector<double> approach_altitudes_m{};
   Length width{};  ///< Of the spray, where only a part of the boom is open; 0: all of it.
+  /// Where it is the rest of a strip that another sortie begins: the centre of the cell before it.
+  /// Where cells are sprayed from centre to centre the valve opens there.
+  std::optional<FieldPoint> joins{};
 };
 
 /// A strip that is sprayed from centre to centre of its cells.
 inline Strip centre_strip(CellRange cells, FieldPoint from, FieldPoint to, bool continues) {
-  return {cells, from, to, from, to, continues, {}, {}};
+  return {cells, from, to, from, to, continues, {}, {}, {}, {}};
 }
 
 /// A strip of `cells` that is sprayed from end to end, reached with the valve closed.
@@ -72,7 +76,7 @@ FieldPoint stop_point(const Route& route, const Strip& strip, std::uint32_t cell
 FieldPoint start_point(const Route& route, const Strip& strip, std::uint32_t cell);
 
 /// Where work goes on after a return that followed `cell`: at the beginning of the next strip if
-/// the cell ended a strip that is sprayed from end to end, or a visit, else where it stopped.
+/// the cell ended its strip and a ferry would follow, else where it stopped.
 FieldPoint resume_point(const Route& route, std::uint32_t cell);
 
 /// Length sprayed per cell: the nominal one from centre to centre, else that of the strip.

@@ -67,7 +67,10 @@ std::vector<StationPart> parts(const FleetProblem& problem, const std::vector<Cr
     const double length_m = problem.path.length_m();
     const double to_m = last ? length_m : snapped_m(problem.path, length_m * taken / shares);
     if (to_m - from_m < 1.0) return {};
-    StationPart part{{problem.path.part(from_m, to_m), {}, {problem.depots[c.depot]}},
+    StationPart part{{.path = problem.path.part(from_m, to_m),
+                      .fliers = {},
+                      .depots = {problem.depots[c.depot]},
+                      .ends_sprayed = problem.ends_sprayed},
                      from_m,
                      c.depot,
                      c.fliers};

@@ -35,7 +35,7 @@ double out_m(const StripPath& path, const std::vector<FieldPoint>& places, doubl
 /// Of the nearest depot, metres.
 /// @param after  Of spraying on just after `at_m` instead of up to it.
 double back_m(const FleetProblem& problem, double at_m, bool after) {
-  double least_m = infinite;
+  double least_m = problem.most_home_m;
   for (const Depot& d : problem.depots)
     least_m = std::min(least_m, after ? problem.path.out_m(d.position, at_m)
                                       : problem.path.back_m(d.position, at_m));

@@ -15,6 +15,7 @@ struct Flier {
   double pack_s = std::numeric_limits<double>::infinity();  ///< Flown per pack, reserve kept.
   double spray_mps, ferry_mps;
   double service_s = 0.0;  ///< In the bay, beyond what the station takes.
+  double sortie_s = 0.0;   ///< Lost in every flight; bounds leave it out.
   FieldPoint start;        ///< Where it stands at time 0, tank and pack full.
 };
 
@@ -23,12 +24,16 @@ struct Depot {
   FieldPoint position;
   std::uint32_t bays = 1;  ///< >= 1.
   double service_s = 0.0;
+  double fill_s = 0.0;  ///< Besides, for a whole tank; for a part of one so much of it.
 };
 
 struct FleetProblem {
   StripPath path;
   std::vector<Flier> fliers;  ///< At least one.
   std::vector<Depot> depots;  ///< At least one.
+  bool ends_sprayed = false;  ///< The makespan ends with the last spraying, not the last landing.
+  /// Ways home count for no more than this: what bounds give away where last ones do not count.
+  double most_home_m = std::numeric_limits<double>::infinity();
 };
 
 /// A stretch of the path sprayed in one flight.
@@ -44,7 +49,7 @@ using FleetSorties = std::vector<Sortie>;
 /// How a plan is flown, by aircraft and by sortie as they stand in the plan.
 struct Timetable {
   std::vector<double> leaves_s, lands_s;  ///< By sortie; leaving the start or the bay.
-  double makespan_s;                      ///< All have landed for good.
+  double makespan_s;                      ///< All have landed for good, or sprayed.
   double non_spray_s;                     ///< Of all aircraft: up to landing, less spraying.
   double wait_s;                          ///< In queues; part of the above.
 };

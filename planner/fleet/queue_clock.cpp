@@ -12,10 +12,19 @@ constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
 double flight_s(const FleetProblem& problem, const Sortie& s, FieldPoint from) {
   const Flier& flier = problem.fliers[s.flier];
-  const double ferried_m = problem.path.out_m(from, s.from_m) +
-                           problem.path.hops_m(s.from_m, s.to_m) +
-                           problem.path.back_m(problem.depots[s.depot].position, s.to_m);
-  return (s.to_m - s.from_m) / flier.spray_mps + ferried_m / flier.ferry_mps;
+  const double home_m =
+      std::min(problem.most_home_m, problem.path.back_m(problem.depots[s.depot].position, s.to_m));
+  const double ferried_m =
+      problem.path.out_m(from, s.from_m) + problem.path.hops_m(s.from_m, s.to_m) + home_m;
+  return flier.sortie_s + (s.to_m - s.from_m) / flier.spray_mps + ferried_m / flier.ferry_mps;
+}
+
+double service_s(const FleetProblem& problem, std::uint32_t depot, const Sortie& next) {
+  const Depot& at = problem.depots[depot];
+  const Flier& flier = problem.fliers[next.flier];
+  const double fill_s =
+      at.fill_s > 0.0 ? at.fill_s * (next.to_m - next.from_m) / flier.tank_m : 0.0;
+  return at.service_s + flier.service_s + fill_s;
 }
 
 QueueClock::QueueClock(const FleetProblem& problem) : problem_{problem} {
@@ -34,13 +43,12 @@ void QueueClock::link(std::span<const Sortie> sorties) {
   for (auto& bays : free_s_) bays.assign(bays.size(), 0.0);
 }
 
-double QueueClock::service_start_s(const Sortie& landed, double arrives_s) {
+/// When the bay lets it go, having waited for it.
+double QueueClock::served_s(const Sortie& landed, const Sortie& next, double arrives_s) {
   auto& bays = free_s_[landed.depot];
   double& bay = *std::min_element(bays.begin(), bays.end());
-  const double starts_s = std::max(arrives_s, bay);
-  bay =
-      starts_s + problem_.depots[landed.depot].service_s + problem_.fliers[landed.flier].service_s;
-  return starts_s;
+  bay = std::max(arrives_s, bay) + service_s(problem_, landed.depot, next);
+  return bay;
 }
 
 Finish QueueClock::finish(std::span<const Sortie> sorties) {
@@ -63,17 +71,20 @@ Finish QueueClock::finish(std::span<const Sortie> sorties) {
     const Arrival now = arrivals_.front();
     std::pop_heap(arrivals_.begin(), arrivals_.end(), later);
     arrivals_.pop_back();
+    const Sortie& landed = sorties[now.sortie];
+    const FieldPoint depot = problem_.depots[landed.depot].position;
     if (next_[now.sortie] == none) {
-      finish.makespan_s = std::max(finish.makespan_s, now.at_s);
+      const double home_s = problem_.ends_sprayed ? problem_.path.back_m(depot, landed.to_m) /
+                                                        problem_.fliers[now.flier].ferry_mps
+                                                  : 0.0;
+      finish.makespan_s = std::max(finish.makespan_s, now.at_s - home_s);
       finish.total_s += now.at_s;
       continue;
     }
-    const Sortie& landed = sorties[now.sortie];
-    const Depot& depot = problem_.depots[landed.depot];
-    const double starts_s = service_start_s(landed, now.at_s);
-    finish.wait_s += starts_s - now.at_s;
-    const double service_s = depot.service_s + problem_.fliers[now.flier].service_s;
-    fly(next_[now.sortie], depot.position, starts_s + service_s);
+    const Sortie& next = sorties[next_[now.sortie]];
+    const double leaves_s = served_s(landed, next, now.at_s);
+    finish.wait_s += leaves_s - service_s(problem_, landed.depot, next) - now.at_s;
+    fly(next_[now.sortie], depot, leaves_s);
   }
   return finish;
 }

@@ -6,13 +6,16 @@
 
 namespace furrow::planner::fleet {
 
+/// In the bay before a sortie, seconds.
+double service_s(const FleetProblem& problem, std::uint32_t depot, const Sortie& next);
+
 /// Flight of one sortie, out from a place, over its hops and home, seconds.
 double flight_s(const FleetProblem& problem, const Sortie& sortie, FieldPoint from);
 
 /// The finish of a plan without its timetable.
 struct Finish {
-  double makespan_s;
-  double total_s;  ///< Sum of all aircraft's last landings.
+  double makespan_s;  ///< See FleetProblem::ends_sprayed.
+  double total_s;     ///< Sum of all aircraft's last landings.
   double wait_s;
 };
 
@@ -35,7 +38,7 @@ class QueueClock {
     std::uint32_t flier, sortie;
   };
   void link(std::span<const Sortie> sorties);
-  double service_start_s(const Sortie& landed, double arrives_s);
+  double served_s(const Sortie& landed, const Sortie& next, double arrives_s);
 
   const FleetProblem& problem_;
   std::vector<std::uint32_t> first_, next_;  ///< Sorties by aircraft, a linked list.

@@ -13,7 +13,6 @@
 namespace furrow::planner::fleet {
 namespace {
 
-constexpr std::size_t most_runs = 3;  ///< From the best starts.
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 struct Judged {
@@ -23,6 +22,14 @@ struct Judged {
 
 bool is_better(const Finish& a, const Finish& b) {
   return a.makespan_s != b.makespan_s ? a.makespan_s < b.makespan_s : a.total_s < b.total_s;
+}
+
+/// What the makespan may grow by at first, as a share. Where the budget is too small for a plan of
+/// so many sorties to settle again, it is not unsettled.
+double heat(std::size_t sorties, std::uint64_t budget) {
+  constexpr double most = 0.01, changes_each = 200.0;
+  const double n = static_cast<double>(sorties);
+  return most * std::min(1.0, static_cast<double>(budget) / (changes_each * n * n));
 }
 
 /// Anneals from one plan after another, and remembers the best of all.
@@ -44,7 +51,9 @@ class Annealer {
     Judged best = start;
     CutPlan now{problem_, start.sorties};
     double now_s = energy_s(start.finish);
-    const double hot_s = 0.01 * start.finish.makespan_s, cold_s = 1e-4 * start.finish.makespan_s;
+    const double cold_s = 1e-4 * start.finish.makespan_s;
+    const double hot_s =
+        std::max(cold_s, heat(start.sorties.size(), budget) * start.finish.makespan_s);
     for (std::uint64_t spent = 0; spent < budget; ++spent) {
       CutPlan next = now;
       if (!next.change(random_)) continue;
@@ -108,8 +117,10 @@ std::optional<FleetSorties> solved_by_station(const FleetProblem& problem,
   std::vector<FleetSorties> sorties;
   sorties.reserve(parts.size());
   for (const StationPart& part : parts) {
-    auto solution =
-        solved(part.problem, {.budget = settings.budget / parts.size(), .seed = settings.seed});
+    auto solution = solved(part.problem, {.budget = settings.budget / parts.size(),
+                                          .seed = settings.seed,
+                                          .runs = settings.runs,
+                                          .starts = {}});
     if (!solution) return std::nullopt;
     evaluations += solution->evaluations;
     sorties.push_back(std::move(solution->sorties));
@@ -133,18 +144,22 @@ std::optional<FleetSolution> solved(const FleetProblem& problem,
   solution.till_empty_s = add(till_empty(problem));
   solution.simple_s = add(simple_sorties(problem));
   for (FleetSorties& s : equal_starts(problem)) add(std::move(s));
+  for (const FleetSorties& s : settings.starts) {
+    if (is_carried(problem, s)) add(s);
+  }
   std::uint64_t budget = settings.budget;
   if (problem.depots.size() > 1) {
     budget /= 2;
-    add(solved_by_station(problem, {.budget = budget, .seed = settings.seed},
-                          solution.evaluations));
+    add(solved_by_station(
+        problem, {.budget = budget, .seed = settings.seed, .runs = settings.runs, .starts = {}},
+        solution.evaluations));
   }
   if (starts.empty()) return std::nullopt;
 
   std::stable_sort(starts.begin(), starts.end(),
                    [](const Judged& a, const Judged& b) { return is_better(a.finish, b.finish); });
   Judged best = starts.front();
-  const std::size_t runs = std::min<std::size_t>(starts.size(), most_runs);
+  const std::size_t runs = std::min<std::size_t>(starts.size(), settings.runs);
   for (std::size_t r = 0; r < runs; ++r) {
     Judged found = annealer.annealed(starts[r], budget / runs);
     if (is_better(found.finish, best.finish)) best = std::move(found);

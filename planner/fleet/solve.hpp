@@ -5,12 +5,15 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace furrow::planner::fleet {
 
 struct FleetSolveSettings {
   std::uint64_t budget = 6'000'000;  ///< Sorties that the queue clock flies, about.
   std::uint64_t seed = 1;
+  std::uint32_t runs = 3;              ///< Of annealing, from the best starts; >= 1.
+  std::vector<FleetSorties> starts{};  ///< Begins with these too, where tank and pack carry them.
 };
 
 struct FleetSolution {
@@ -25,9 +28,9 @@ struct FleetSolution {
 ///
 /// Begins with flying till empty, the simple plan, and equal stretches of several lengths, all
 /// dealt out to whoever is ready first; with several stations, also with the solved plans of each
-/// station's aircraft on a stretch of their own. Improves the best by simulated annealing over
-/// `CutPlan`, each plan flown by the queue clock; never worse than any that it began with.
-/// Deterministic: the budget counts work.
+/// station's aircraft on a stretch of their own; and with those that the settings give. Improves
+/// the best by simulated annealing over `CutPlan`, each plan flown by the queue clock; never worse
+/// than any that it began with. Deterministic: the budget counts work.
 ///
 /// @return  Nothing if no start reaches the whole path.
 ///

@@ -11,10 +11,10 @@ StripPath::StripPath(const std::vector<StraightStrip>& strips) {
   require(!strips.empty(), "a path has strips");
   double at_m = 0.0, hops_m = 0.0;
   for (std::size_t i = 0; i < strips.size(); ++i) {
-    const auto& [begin, end] = strips[i];
+    const auto& [begin, end, hop_m] = strips[i];
     const double length_m = distance(begin, end).base();
     require(length_m > 0.0, "a strip is longer than zero");
-    if (i > 0) hops_m += distance(strips[i - 1].end, begin).base();
+    if (i > 0) hops_m += hop_m.value_or(distance(strips[i - 1].end, begin).base());
     strips_.push_back({begin.x.base(), begin.y.base(), (end.x - begin.x).base() / length_m,
                        (end.y - begin.y).base() / length_m});
     begins_m_.push_back(at_m);
@@ -39,8 +39,9 @@ StripPath StripPath::part(double from_m, double to_m) const {
   const std::uint32_t first = strip_from(from_m), last = strip_to(to_m);
   strips.reserve(last - first + 1);
   for (std::uint32_t s = first; s <= last; ++s) {
-    strips.push_back(
-        {point(s, std::max(from_m, begins_m_[s])), point(s, std::min(to_m, begins_m_[s + 1]))});
+    strips.push_back({point(s, std::max(from_m, begins_m_[s])),
+                      point(s, std::min(to_m, begins_m_[s + 1])),
+                      s > first ? hops_m_[s] - hops_m_[s - 1] : 0.0});
   }
   return StripPath{strips};
 }

@@ -4,6 +4,7 @@
 #include "core/geometry.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace furrow::planner::fleet {
@@ -11,9 +12,10 @@ namespace furrow::planner::fleet {
 /// A straight strip, sprayed from `begin` to `end`. Longer than zero.
 struct StraightStrip {
   FieldPoint begin, end;
+  std::optional<double> hop_m{};  ///< Flown here from the strip before, >= 0; none: straight.
 };
 
-/// Strips joined by straight hops that are flown, not sprayed. Positions on the path count sprayed
+/// Strips joined by hops that are flown, not sprayed. Positions on the path count sprayed
 /// metres from the first strip's begin.
 class StripPath {
  public:

@@ -46,8 +46,7 @@ class Dealer {
     const FieldPoint from = place(s.flier);
     if (r.flew) {
       double& bay = *std::min_element(free_s_[r.depot].begin(), free_s_[r.depot].end());
-      r.lands_s = std::max(bay, r.lands_s) + problem_.depots[r.depot].service_s +
-                  problem_.fliers[s.flier].service_s;
+      r.lands_s = std::max(bay, r.lands_s) + service_s(problem_, r.depot, s);
       bay = r.lands_s;
     }
     r = {r.lands_s + flight_s(problem_, s, from), s.depot, true};

@@ -33,7 +33,7 @@ Measure measure(const FleetProblem& problem) {
 class Ways {
  public:
   explicit Ways(const FleetProblem& problem)
-      : path_{problem.path}, starts_{places_to_leave(problem)} {
+      : path_{problem.path}, most_home_m_{problem.most_home_m}, starts_{places_to_leave(problem)} {
     for (const Depot& d : problem.depots) homes_.push_back(d.position);
   }
 
@@ -43,13 +43,13 @@ class Ways {
     return least_m;
   }
   double back_m(double at_m) const {
-    double least_m = infinite;
+    double least_m = most_home_m_;
     for (const FieldPoint p : homes_) least_m = std::min(least_m, path_.back_m(p, at_m));
     return least_m;
   }
   /// To a cell's nearest position and away from it again, at least.
   double round_m(const PathCells& cells, std::size_t i) const {
-    return nearest_m(homes_, cells, i) + nearest_m(starts_, cells, i);
+    return std::min(most_home_m_, nearest_m(homes_, cells, i)) + nearest_m(starts_, cells, i);
   }
 
  private:
@@ -66,6 +66,7 @@ class Ways {
   }
 
   const StripPath& path_;
+  double most_home_m_;
   std::vector<FieldPoint> homes_, starts_;
 };
 

@@ -10,13 +10,19 @@
 namespace furrow::planner {
 namespace {
 
-PlannedSortie flown(const ReturnProblem& problem, std::uint32_t first, std::uint32_t last) {
+/// The stations that a sortie leads from and to, as problems of one share.
+struct Ends {
+  const ReturnProblem& from;  ///< Any where the sortie is the first: that leaves from home.
+  const ReturnProblem& to;
+};
+
+PlannedSortie flown(const Ends& ends, std::uint32_t first, std::uint32_t last) {
   return {.first = first,
           .last = last,
-          .spray_m = problem.spray_m[last] - problem.resume_m[first],
-          .fly_out_s = problem.out_s(first),
-          .spray_s = problem.on_route_s[last] - problem.resume_s[first],
-          .fly_back_s = problem.back_s(last),
+          .spray_m = ends.to.spray_m[last] - ends.to.resume_m[first],
+          .fly_out_s = ends.from.out_s(first),
+          .spray_s = ends.to.on_route_s[last] - ends.to.resume_s[first],
+          .fly_back_s = ends.to.back_s(last),
           .pack = 1,
           .battery_used = 0.0,
           .battery_swap_s = 0.0,
@@ -25,10 +31,10 @@ PlannedSortie flown(const ReturnProblem& problem, std::uint32_t first, std::uint
 }
 
 // Of a pack, in seconds of level flight.
-double pack_s(const ReturnProblem& problem, const PlannedSortie& s) {
-  return problem.out_pack_s(s.first) +
-         (problem.route_pack_s(s.last) - problem.resume_pack_s(s.first)) +
-         problem.back_pack_s(s.last);
+double pack_s(const Ends& ends, const PlannedSortie& s) {
+  return ends.from.out_pack_s(s.first) +
+         (ends.to.route_pack_s(s.last) - ends.to.resume_pack_s(s.first)) +
+         ends.to.back_pack_s(s.last);
 }
 
 std::uint32_t cell_count(const ReturnProblem& problem) {
@@ -38,42 +44,52 @@ std::uint32_t cell_count(const ReturnProblem& problem) {
 }  // namespace
 
 ReturnPlan evaluated(const ReturnProblem& problem, const Returns& returns) {
-  require(
-      std::is_sorted(returns.begin(), returns.end(), std::less_equal<>{}) &&
-          (returns.empty() || (returns.front() > 0 && returns.back() + 1 < cell_count(problem))),
-      "returns rise strictly between the first cell and the last");
-  const Limits limits = limits_of(problem);
+  return evaluated(std::vector<const ReturnProblem*>(returns.size() + 1, &problem), returns);
+}
+
+ReturnPlan evaluated(std::span<const ReturnProblem* const> landings, const Returns& returns) {
+  require(landings.size() == returns.size() + 1, "every sortie ends at a station");
+  const ReturnProblem& any = *landings.front();
+  require(std::is_sorted(returns.begin(), returns.end(), std::less_equal<>{}) &&
+              (returns.empty() || (returns.front() > 0 && returns.back() + 1 < cell_count(any))),
+          "returns rise strictly between the first cell and the last");
+  const Limits limits = limits_of(any);
   ReturnPlan plan{
       .returns = returns, .sorties = {}, .non_spray_s = 0, .round_trips_m = 0, .swaps = 0};
   plan.sorties.reserve(returns.size() + 1);
+  const auto ends = [&](std::size_t n) {
+    return Ends{.from = *landings[n == 0 ? 0 : n - 1], .to = *landings[n]};
+  };
   std::uint32_t first = 0;
   for (const std::uint32_t last : returns) {
-    plan.sorties.push_back(flown(problem, first, last));
+    plan.sorties.push_back(flown(ends(plan.sorties.size()), first, last));
     first = last;
   }
-  plan.sorties.push_back(flown(problem, first, cell_count(problem) - 1));
+  plan.sorties.push_back(flown(ends(returns.size()), first, cell_count(any) - 1));
 
   double used_s = 0.0;  // of the pack on board
   for (std::size_t n = 0; n < plan.sorties.size(); ++n) {
     PlannedSortie& sortie = plan.sorties[n];
+    const double takes_s = pack_s(ends(n), sortie);
     sortie.pack = plan.swaps + 1;
-    sortie.battery_used = pack_s(problem, sortie) / problem.vehicle.flight_endurance.base();
-    used_s += pack_s(problem, sortie);
+    sortie.battery_used = takes_s / any.vehicle.flight_endurance.base();
+    used_s += takes_s;
     if (n + 1 == plan.sorties.size()) break;
 
     const PlannedSortie& next = plan.sorties[n + 1];
-    const bool swap = used_s + pack_s(problem, next) > limits.pack_s;
+    const ReturnProblem& at = *landings[n];
+    const bool swap = used_s + pack_s(ends(n + 1), next) > limits.pack_s;
     if (swap) {
       used_s = 0.0;
       ++plan.swaps;
     }
-    const double fill_share = next.spray_m / tank_range(problem.vehicle).base();
-    sortie.battery_swap_s = swap ? problem.station.battery_swap.base() : 0.0;
-    sortie.fill_s = fill_time(problem.station, fill_share).base();
-    sortie.service_s = service_time(problem.station, swap, fill_share).base();
-    const double skipped_s = problem.resume_s[next.first] - problem.on_route_s[next.first];
+    const double fill_share = next.spray_m / tank_range(any.vehicle).base();
+    sortie.battery_swap_s = swap ? at.station.battery_swap.base() : 0.0;
+    sortie.fill_s = fill_time(at.station, fill_share).base();
+    sortie.service_s = service_time(at.station, swap, fill_share).base();
+    const double skipped_s = at.resume_s[next.first] - at.on_route_s[next.first];
     plan.non_spray_s += sortie.service_s + sortie.fly_back_s + (next.fly_out_s - skipped_s);
-    plan.round_trips_m += problem.back_m[sortie.last] + problem.out_m[next.first];
+    plan.round_trips_m += at.back_m[sortie.last] + at.out_m[next.first];
   }
   return plan;
 }
@@ -81,7 +97,8 @@ ReturnPlan evaluated(const ReturnProblem& problem, const Returns& returns) {
 bool is_feasible(const ReturnProblem& problem, const ReturnPlan& plan) {
   const Limits limits = limits_of(problem);
   return std::all_of(plan.sorties.begin(), plan.sorties.end(), [&](const PlannedSortie& s) {
-    return s.spray_m <= limits.tank_m && pack_s(problem, s) <= limits.pack_s;
+    const double taken_s = s.battery_used * problem.vehicle.flight_endurance.base();
+    return s.spray_m <= limits.tank_m && taken_s <= limits.pack_s;
   });
 }
 
@@ -89,7 +106,7 @@ std::optional<PlanError> infeasibility(const ReturnProblem& problem) {
   const Limits limits = limits_of(problem);
   const auto cell = [&](std::uint32_t i) { return problem.cells.first + i; };
   for (std::uint32_t i = 0; i < cell_count(problem); ++i) {
-    const PlannedSortie least = flown(problem, i == 0 ? 0 : i - 1, i);
+    const PlannedSortie least = flown({problem, problem}, i == 0 ? 0 : i - 1, i);
     if (least.spray_m > limits.tank_m) {
       return PlanError{PlanFault::tank_too_small,
                        fmt::format("UAV {}: cell {} takes {:.1f} m of spraying, a tank lasts for "
@@ -97,13 +114,13 @@ std::optional<PlanError> infeasibility(const ReturnProblem& problem) {
                                    number(problem.vehicle.id), cell(i), least.spray_m,
                                    tank_range(problem.vehicle).base())};
     }
-    if (pack_s(problem, least) > limits.pack_s) {
+    if (pack_s({problem, problem}, least) > limits.pack_s) {
       return PlanError{
           PlanFault::out_of_reach,
           fmt::format("UAV {}: cell {} from station {} and back takes {:.1f} s of flight, a pack "
                       "lasts for {:.1f} s",
                       number(problem.vehicle.id), cell(i), number(problem.station.id),
-                      pack_s(problem, least),
+                      pack_s({problem, problem}, least),
                       usable_endurance(problem.vehicle).base() - problem.kept_s),
           problem.station.position};
     }

@@ -4,6 +4,7 @@
 #include "planner/returns/problem.hpp"
 
 #include <optional>
+#include <span>
 
 namespace furrow::planner {
 
@@ -20,6 +21,11 @@ namespace furrow::planner {
 ///
 /// Source: Wang et al. 2017, equations (7) and (9).
 ReturnPlan evaluated(const ReturnProblem& problem, const Returns& returns);
+
+/// The same where sorties end at different stations.
+/// @param landings  By sortie, returns.size() + 1 of them: the problem of the one share at the
+///                  station where it ends.
+ReturnPlan evaluated(std::span<const ReturnProblem* const> landings, const Returns& returns);
 
 /// Whether every sortie of the plan stays within one tank and one pack (reserve kept).
 bool is_feasible(const ReturnProblem& problem, const ReturnPlan& plan);

@@ -95,7 +95,8 @@ Expected<Solution, PlanError> chosen(const ReturnProblem& problem, const SolveSe
       if (!plan) return Unexpected{plan.error()};
       return without_search(std::move(*plan), extra);
     }
-    case ReturnStrategy::gsa: return by_gravity(problem, settings, extra);
+    case ReturnStrategy::gsa:
+    case ReturnStrategy::joint: return by_gravity(problem, settings, extra);
     case ReturnStrategy::exact: break;
   }
   return without_search(exact.plan, extra);

@@ -9,8 +9,14 @@
 
 namespace furrow::planner {
 
-/// How return points are chosen.
-enum class ReturnStrategy { unplanned, simple, gsa, exact };
+/// How return points are chosen. `joint` is for fleets, whose shares, order and stations are then
+/// chosen with them; one aircraft alone has them by GSA.
+enum class ReturnStrategy { unplanned, simple, gsa, exact, joint };
+
+/// Whether an aircraft's own return points are chosen by GSA.
+constexpr bool is_by_gravity(ReturnStrategy s) {
+  return s == ReturnStrategy::gsa || s == ReturnStrategy::joint;
+}
 
 /// The stable name used in scenario files and results.
 constexpr const char* name(ReturnStrategy s) {
@@ -19,6 +25,7 @@ constexpr const char* name(ReturnStrategy s) {
     case ReturnStrategy::simple: return "simple";
     case ReturnStrategy::gsa: return "gsa";
     case ReturnStrategy::exact: return "exact";
+    case ReturnStrategy::joint: return "joint";
   }
   return "unknown";
 }

@@ -47,6 +47,7 @@ class EnergyLaws final : public Checker {
     if (const auto* flown = std::get_if<FlightRecord>(&e.body)) observe_flight(*flown);
     if (const auto* grant = std::get_if<WorkGrant>(&e.body)) observe_grant(*grant);
     if (const auto* claim = std::get_if<ServiceClaim>(&e.body)) observe_claim(*claim);
+    if (const auto* command = std::get_if<Command>(&e.body)) observe_command(*command);
   }
 
   void conclude(Instant ended) override {
@@ -73,7 +74,9 @@ class EnergyLaws final : public Checker {
     std::uint32_t sorties = 0;        // reported
     std::set<std::uint32_t> unflown;  // cells granted, of which no flight is recorded
     std::optional<TakeOff> take_off;
-    std::optional<FieldPoint> home;  // the last station it came to, if not the planned one
+    std::vector<StationId> landings;      // of the sorties commanded
+    std::optional<FieldPoint> bound_for;  // where the sortie under way is to end
+    std::optional<FieldPoint> elsewhere;  // the last station it came to that was not that
   };
 
   // Mix in = mix sprayed + mix left. Of a sortie not reported yet only its cells are known: with
@@ -106,6 +109,9 @@ class EnergyLaws final : public Checker {
     Account& account = accounts_[state.agent];
     if (!is_airborne(account.phase) && is_airborne(state.phase)) {
       account.take_off = {at, state.position, state.battery};
+      if (state.sortie < account.landings.size()) {
+        account.bound_for = position_of(account.landings[state.sortie]);
+      }
     }
     account.is_heard = true;
     account.phase = state.phase;
@@ -121,7 +127,7 @@ class EnergyLaws final : public Checker {
     }
     if (!is_airborne(state.phase) || state.phase == Phase::fly_back) return;
     const double home_s = way_s(uav.vehicle, facts_.wind, state.position,
-                                account.home.value_or(uav.station.position));
+                                home_of(account, uav.station.position, state.position));
     const double need = home_s / uav.vehicle.flight_endurance.base();
     if (state.battery + fix_error(uav.vehicle) + round_off < need + reserve) {
       report("L7", at,
@@ -159,8 +165,8 @@ class EnergyLaws final : public Checker {
     if (at < sortie.began || at > sortie.landed) return;
     const Vehicle& v = planned->second->vehicle;
     const double out_s = way_s(v, facts_.wind, position, sortie.resumed_at);
-    const double home_s = way_s(v, facts_.wind, sortie.resumed_at,
-                                account.home.value_or(planned->second->station.position));
+    const FieldPoint home = home_of(account, planned->second->station.position, sortie.resumed_at);
+    const double home_s = way_s(v, facts_.wind, sortie.resumed_at, home);
     const double need = (out_s + home_s) / v.flight_endurance.base() + v.battery_reserve;
     if (battery + fix_error(v) + round_off >= need) return;
     report("L7", at,
@@ -180,11 +186,30 @@ class EnergyLaws final : public Checker {
     }
   }
 
-  // One that its station refused goes to another and stays there.
-  void observe_claim(const ServiceClaim& claim) {
+  std::optional<FieldPoint> position_of(StationId id) const {
     for (const Station& station : facts_.stations) {
-      if (station.id == claim.station) accounts_[claim.agent].home = station.position;
+      if (station.id == id) return station.position;
     }
+    return std::nullopt;
+  }
+
+  // Where a sortie can end: where it is to, or where the aircraft went when its station refused it.
+  static FieldPoint home_of(const Account& account, FieldPoint planned, FieldPoint from) {
+    const FieldPoint home = account.bound_for.value_or(planned);
+    if (!account.elsewhere) return home;
+    return distance(from, *account.elsewhere) < distance(from, home) ? *account.elsewhere : home;
+  }
+
+  void observe_claim(const ServiceClaim& claim) {
+    Account& account = accounts_[claim.agent];
+    const auto at = position_of(claim.station);
+    if (at && !(account.bound_for == at)) account.elsewhere = at;
+  }
+
+  void observe_command(const Command& command) {
+    std::vector<StationId>& landings = accounts_[command.agent].landings;
+    landings.clear();
+    for (const SortieOrder& sortie : command.sorties) landings.push_back(sortie.station);
   }
 
   void observe_grant(const WorkGrant& grant) {

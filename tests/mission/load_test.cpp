@@ -65,7 +65,7 @@ TEST_CASE("load: what a scenario leaves out has its default", "[mission]") {
   CHECK(v.gnss.sigma == metres(0.02));
   CHECK(v.gnss.bias == metres(0));
   CHECK(s.wind.mean == metres_per_second(0));
-  CHECK(s.solver.returns == planner::ReturnStrategy::gsa);
+  CHECK(s.solver.returns == planner::ReturnStrategy::joint);
   CHECK(s.solver.refine);
   CHECK_FALSE(s.solver.paper_counting);
   CHECK(s.solver.iterations == 300);
@@ -188,7 +188,7 @@ TEST_CASE("load: weather, solver, radio, limits, faults and expectations are rea
 
 TEST_CASE("load: each way to choose return points has its name", "[mission]") {
   using enum planner::ReturnStrategy;
-  for (const auto strategy : {unplanned, simple, gsa, exact}) {
+  for (const auto strategy : {unplanned, simple, gsa, exact, joint}) {
     const Scenario s = scenario(least + "solver: {returns: " + planner::name(strategy) + "}\n");
     CHECK(s.solver.returns == strategy);
   }

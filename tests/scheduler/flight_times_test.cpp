@@ -86,5 +86,19 @@ TEST_CASE("flight times: work goes on from the last sprayed cell", "[scheduler]"
   CHECK(flown[1].home_s == Approx(300.0 / 6 + 3));
 }
 
+TEST_CASE("flight times: a sortie from one station to another has a way of each", "[scheduler]") {
+  const Case south = comb_case(1, 40, vehicle(1), at_m(0, 0));
+  const planner::ReturnProblem north =
+      planner::return_problem(south.route, {0, 40}, vehicle(1), station(2, 1, at_m(0, 100)));
+  const FlightTimes both{south.route, std::vector{&south.problem, &north}};
+  const auto sorties = planner::evaluated(south.problem, {19}).sorties;
+  const FlightTimes from_south{south.route, south.problem}, from_north{south.route, north};
+  const SortieTimes across = both(sorties[1], false, {.from = 0, .to = 1});
+  // It does not turn round at the end: as on the way to the north, from where it sets out.
+  CHECK(across.until_sprayed_s < from_south(sorties[1], false).until_sprayed_s);
+  CHECK(across.home_s == Approx(from_north(sorties[1], false).home_s));
+  CHECK(both(sorties[1], false).home_s == from_south(sorties[1], false).home_s);
+}
+
 }  // namespace
 }  // namespace furrow::scheduler

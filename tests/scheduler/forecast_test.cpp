@@ -9,10 +9,11 @@ namespace {
 
 Itinerary flight(std::uint32_t agent, std::vector<double> flights_s, std::vector<double> services_s,
                  double last_spray_s = 10) {
+  const std::size_t returns = flights_s.size();
   return {.agent = AgentId{agent},
-          .station = 0,
           .flights_s = std::move(flights_s),
           .services_s = std::move(services_s),
+          .stations = std::vector(returns, 0U),
           .last_spray_s = last_spray_s,
           .last_home_s = 5,
           .flies = true};
@@ -58,13 +59,28 @@ TEST_CASE("forecast: two bays serve two at once, in the lowest free bay", "[sche
 
 TEST_CASE("forecast: stations queue apart", "[scheduler]") {
   std::vector fleet{flight(1, {50}, {30}), flight(2, {50}, {30})};
-  fleet[1].station = 1;
+  fleet[1].stations = {1};
   const std::vector stations{station(1, 1), station(2, 1)};
   CHECK(forecast(fleet, stations).queue_wait_s == 0);
 }
 
+TEST_CASE("forecast: an aircraft that changes stations queues at each", "[scheduler]") {
+  // 1 is served at the first station from 50 to 80 and comes to the second at 90, where 2 is served
+  // from 60 to 100: it waits 10 s.
+  std::vector fleet{flight(1, {50, 10}, {30, 30}), flight(2, {60}, {40})};
+  fleet[0].stations = {0, 1};
+  fleet[1].stations = {1};
+  const std::vector stations{station(1, 1), station(2, 1)};
+  const Forecast f = forecast(fleet, stations);
+  REQUIRE(f.visits[0].size() == 2);
+  CHECK(f.visits[0][1].arrives_s == 90);
+  CHECK(f.visits[0][1].starts_s == 100);
+  CHECK(f.queue_wait_s == 10);
+  CHECK(f.spray_ends_s[0] == 140);
+}
+
 TEST_CASE("forecast: an aircraft without a share does not fly", "[scheduler]") {
-  const std::vector fleet{grounded(AgentId{1}, 0)};
+  const std::vector fleet{grounded(AgentId{1})};
   const std::vector stations{station(1)};
   const Forecast f = forecast(fleet, stations);
   CHECK(f.makespan_s == 0);

@@ -35,6 +35,28 @@ TEST_CASE("orders: a strip reached by a ferry starts afresh", "[scheduler]") {
   CHECK(sorties[0].pieces[1].entry == route.centers[5]);
 }
 
+TEST_CASE("orders: the rest of a strip that another begins is entered over the cell before",
+          "[scheduler]") {
+  planner::Route route = comb(2, 5);
+  route.strips[1].continues = false;
+  route.strips[1].joins = at_m(3, 11);  // as if its first cell were the second of a strip
+  const auto sorties = orders(route, uav_plan(route, 1, {1, 1}, {}));
+  REQUIRE(sorties.size() == 1);
+  CHECK(sorties[0].pieces[0].entry == at_m(3, 11));
+  CHECK(sorties[0].pieces[0].from == route.centers[5]);
+}
+
+TEST_CASE("orders: each sortie ends where the plan says", "[scheduler]") {
+  const planner::Route route = comb(2, 5);
+  UavPlan uav = uav_plan(route, 1, {0, 2}, {4});
+  CHECK(orders(route, uav)[1].station == StationId{1});
+  uav.landings = {station(2), station(3)};
+  const auto sorties = orders(route, uav);
+  REQUIRE(sorties.size() == 2);
+  CHECK(sorties[0].station == StationId{2});
+  CHECK(sorties[1].station == StationId{3});
+}
+
 TEST_CASE("orders: strips sprayed from end to end are cut at the far edges of cells",
           "[scheduler]") {
   // North over five cells of 2 m, then east over five by a way point.

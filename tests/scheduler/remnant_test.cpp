@@ -41,6 +41,16 @@ TEST_CASE("remnant: a strip sprayed from end to end is cut at the edges of its c
   CHECK(planner::cell_length(left.route, left.route.strips[0]).base() == Approx(2.0));
 }
 
+TEST_CASE("remnant: runs are taken in the order given", "[scheduler]") {
+  const planner::Route whole = comb(3, 4);
+  const std::vector<CellRange> runs{{8, 4}, {0, 6}};
+  const Remnant flown = remnant(whole, runs);
+  CHECK(flown.cells == std::vector<std::uint32_t>{8, 9, 10, 11, 0, 1, 2, 3, 4, 5});
+  REQUIRE(flown.route.strips.size() == 3);
+  CHECK_FALSE(flown.route.strips[1].continues);  // 11 to 0 is a ferry
+  CHECK(flown.route.strips[2].continues);        // 3 to 4 is the sprayed move that it was
+}
+
 TEST_CASE("remnant: runs that touch are joined", "[scheduler]") {
   CHECK(joined({{5, 2}, {0, 3}, {3, 1}}) == std::vector<CellRange>{{0, 4}, {5, 2}});
 }

@@ -127,9 +127,11 @@ class Panels {
   void draw_ferries(Svg& svg, std::size_t uav) const {
     const scheduler::UavPlan& plan = uavs()[uav];
     Chains ways;
+    std::size_t sortie = 0;
     for (const std::uint32_t cell : plan.solution.plan.returns) {
-      ways.push_back(pixels(
-          view_, route_.ferries.way(stop_after(plan.cells.first + cell), plan.station.position)));
+      const FieldPoint station = scheduler::landing(plan, sortie++).position;
+      ways.push_back(
+          pixels(view_, route_.ferries.way(stop_after(plan.cells.first + cell), station)));
     }
     svg.path(ways, false, {.stroke = "#8b8b80", .width = 0.6, .opacity = 0.7, .dash = "3 3"});
   }

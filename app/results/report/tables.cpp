@@ -149,6 +149,20 @@ std::string expectation_table(const Result& r) {
   return table.empty() ? "" : table.markup("narrow");
 }
 
+namespace {
+
+// Last cells of the plans that the plan was chosen from.
+void add_yardsticks(HtmlTable& table, const scheduler::Yardsticks& y) {
+  const auto row = [&](std::string label, std::optional<double> makespan_s) {
+    table.row({std::move(label), makespan_s ? minutes2(*makespan_s) : "out of reach", "", ""});
+  };
+  row("The same by shares of strips, min", y.shares_s);
+  row("The same till empty, min", y.till_empty_s);
+  row("The same by the simple plan, min", y.simple_s);
+}
+
+}  // namespace
+
 std::string optimum_table(const Result& r) {
   const SolverFigures& s = r.solver;
   HtmlTable table{"<", "Plan", s.proven ? "Optimum" : "No plan is below", "Gap"};
@@ -169,10 +183,13 @@ std::string optimum_table(const Result& r) {
                fmt::format("{:.3f} % of the mission", 100 * *s.anywhere_gap)});
   }
   if (s.gsa_s) table.row({"Objective of GSA alone, min", minutes2(*s.gsa_s), "", ""});
-  table.row(
-      {"Last cell, min", minutes2(r.fleet.planned_makespan_s), minutes2(r.fleet.lower_bound_s),
-       r.fleet.lower_bound_s > 0 ? percent(r.fleet.planned_makespan_s / r.fleet.lower_bound_s - 1)
-                                 : ""});
+  table.row({r.fleet.bound.empty() ? "Last cell, min"
+                                   : fmt::format("Last cell, min (bound by {})", r.fleet.bound),
+             minutes2(r.fleet.planned_makespan_s), minutes2(r.fleet.lower_bound_s),
+             r.fleet.lower_bound_s > 0
+                 ? percent(r.fleet.planned_makespan_s / r.fleet.lower_bound_s - 1)
+                 : ""});
+  if (s.yardsticks) add_yardsticks(table, *s.yardsticks);
   return table.markup("narrow") +
          fmt::format(
              "<p class=\"note\">Return points by {}{}, {} evaluations. Non-spray time is round "

@@ -65,6 +65,33 @@ TEST_CASE("no plan of a small case is faster than a bound") {
   }
 }
 
+TEST_CASE("no plan of a small case sprays or fills faster than a bound") {
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    CAPTURE(seed);
+    FleetProblem p = enumerated::random_problem(seed);
+    p.ends_sprayed = true;
+    p.depots.front().fill_s = 10.0 * static_cast<double>(seed % 3);
+    const double best_s = enumerated::best_makespan_s(p, enumerated::cuts_apart_m(p, 5));
+    const double sprayed_s = best_bound(p).makespan_s;
+    CHECK(sprayed_s > 0.0);
+    CHECK(sprayed_s <= best_s + 1e-9);
+    p.ends_sprayed = false;
+    CHECK(sprayed_s <= best_bound(p).makespan_s);
+  }
+}
+
+TEST_CASE("what the first tanks do not carry is filled in") {
+  // Tanks of 50 m for 100 m of path: half of it is filled in, with 500 s of service and 60 s of
+  // filling.
+  FleetProblem p = there_and_back(1, 500);
+  p.fliers.resize(1);
+  p.fliers[0].tank_m = 50;
+  p.depots[0].fill_s = 60;
+  p.depots[0].service_s = 5000;
+  p.fliers[0].service_s = 0;
+  CHECK(best_bound(p).makespan_s >= 5060);
+}
+
 TEST_CASE("fleets of field A are bounded as published or better") {
   for (const yardsticks::Yardstick& y : yardsticks::all) {
     CAPTURE(y.service_s, y.bays, y.fliers);

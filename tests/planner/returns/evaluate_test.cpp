@@ -54,27 +54,51 @@ TEST_CASE("evaluate: one return costs its round trip and the longer of filling a
   const ReturnProblem p =
       return_problem(route_with_ferry(), {0, 6}, vehicle, paper_case::station());
 
-  // Home from (1, 5): hypot(1, 5) = 5.099 m. The second sortie sprays 4 m of 6 m:
-  // T_p = 20 + 40 * 4 / 6 = 46.667 s.
+  // Home from (1, 5): hypot(1, 5) = 5.099 m; out to (9, 1): hypot(9, 1) = 9.055 m, in place of a
+  // ferry of 8.944 m. The second sortie sprays 4 m of 6 m: T_p = 20 + 40 * 4 / 6 = 46.667 s.
   const ReturnPlan kept = evaluated(p, {2});
   CHECK(is_feasible(p, kept));
   CHECK(kept.swaps == 0);
-  CHECK_THAT(kept.round_trips_m, WithinAbs(2 * 5.09902, 1e-4));
-  CHECK_THAT(kept.non_spray_s, WithinAbs(2 * 5.09902 / 6 + 46.66667, 1e-4));
+  CHECK_THAT(kept.round_trips_m, WithinAbs(5.09902 + 9.05539, 1e-4));
+  const double ways_s = (5.09902 + 9.05539 - 8.94427) / 6;
+  CHECK_THAT(kept.non_spray_s, WithinAbs(ways_s + 46.66667, 1e-4));
   CHECK(kept.sorties[1].pack == 1);
   CHECK(kept.sorties[1].service_s == 0.0);
 
-  // First sortie: 4 / 3 + 5.099 / 6 = 2.183 s. Second: 5.099 / 6 + 8.944 / 6 + 4 / 3 +
-  // hypot(9, 5) / 6 = 5.390 s. A pack for 7.5 s does not carry both, so it is swapped: 60 s.
-  vehicle.flight_endurance = seconds(7.5);
+  // First sortie: 4 / 3 + 5.099 / 6 = 2.183 s. Second: 9.055 / 6 + 4 / 3 + hypot(9, 5) / 6 =
+  // 4.559 s. A pack for 6.5 s does not carry both, so it is swapped: 60 s.
+  vehicle.flight_endurance = seconds(6.5);
   const ReturnProblem tight =
       return_problem(route_with_ferry(), {0, 6}, vehicle, paper_case::station());
   const ReturnPlan swapped = evaluated(tight, {2});
   CHECK(is_feasible(tight, swapped));
   CHECK(swapped.swaps == 1);
   CHECK(swapped.sorties[1].pack == 2);
-  CHECK_THAT(swapped.non_spray_s, WithinAbs(2 * 5.09902 / 6 + 60.0, 1e-4));
-  CHECK_THAT(swapped.sorties[1].battery_used, WithinAbs(5.390 / 7.5, 1e-3));
+  CHECK_THAT(swapped.non_spray_s, WithinAbs(ways_s + 60.0, 1e-4));
+  CHECK_THAT(swapped.sorties[1].battery_used, WithinAbs(4.559 / 6.5, 1e-3));
+}
+
+TEST_CASE("evaluate: sorties may end at different stations", "[planner]") {
+  // Home from (1, 5) to (1, 11), 6 m at 6 m/s; there 20 s and 40 s of a tank for 4 m of its 2700 m;
+  // out to the next strip at (9, 1); home from (9, 5) to (9, 0).
+  const Route route = route_with_ferry();
+  Station north = paper_case::station(), south = paper_case::station();
+  north.position = at_m(1, 11);
+  south.position = at_m(9, 0);
+  const auto to_north = return_problem(route, {0, 6}, paper_case::vehicle(), north);
+  const auto to_south = return_problem(route, {0, 6}, paper_case::vehicle(), south);
+  const ReturnPlan plan = evaluated(std::vector{&to_north, &to_south}, {2});
+  REQUIRE(plan.sorties.size() == 2);
+  CHECK(plan.sorties[0].fly_back_s == 1.0);
+  CHECK_THAT(plan.sorties[1].fly_out_s, WithinAbs(std::hypot(8, 10) / 6, 1e-9));
+  CHECK_THAT(plan.sorties[1].fly_back_s, WithinAbs(5.0 / 6, 1e-9));
+  CHECK_THAT(plan.sorties[0].service_s, WithinAbs(20 + 40 * 4.0 / 2700, 1e-9));
+  CHECK_THAT(plan.round_trips_m, WithinAbs(6 + std::hypot(8, 10), 1e-9));
+  // Of the non-spray time the ferry that it replaces is no part.
+  CHECK_THAT(plan.non_spray_s,
+             WithinAbs(1 + 20 + 160.0 / 2700 + std::hypot(8, 10) / 6 - std::hypot(8, 4) / 6, 1e-9));
+  CHECK(evaluated(to_north, {2}).non_spray_s ==
+        evaluated(std::vector{&to_north, &to_north}, {2}).non_spray_s);
 }
 
 TEST_CASE("evaluate: the reserve of a pack is never planned with", "[planner]") {

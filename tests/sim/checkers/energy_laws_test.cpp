@@ -29,6 +29,41 @@ TEST_CASE("laws: L7 and L8 energy and tank", "[sim]") {
   CHECK(broken_laws(facts(), s) == expected);
 }
 
+TEST_CASE("laws: L7 home is the station that the order says, and where a refused one went",
+          "[sim]") {
+  // A station 30 m north: 30 m less from (0, 60) than from the first, 0.005 of a pack.
+  Facts f = facts();
+  f.stations.push_back(f.stations.front());
+  f.stations.back().id = StationId{2};
+  f.stations.back().position = at_m(0, 30);
+  const auto broken = [&](double battery, bool ordered, bool claimed) {
+    Script s = clean_run();
+    if (ordered)
+      s.say(scheduler_node(), 5.1,
+            Command{.agent = one,
+                    .target_boot = BootId{},
+                    .epoch = Epoch{1},
+                    .revision = 2,
+                    .sorties = {{.pieces = {}, .station = StationId{2}}},
+                    .obstacles = {}});
+    if (claimed) {
+      ServiceClaim claim{};
+      claim.agent = one;
+      claim.station = StationId{2};
+      s.say(node(one), 5.2, claim);
+    }
+    s.say(node(one), 5.4, heard(Phase::wait, 1.0, at_m(0, 0)));
+    s.say(node(one), 6, heard(Phase::spray, battery, at_m(0, 60)));
+    s.say(scheduler_node(), 7, finished(4, 0));
+    const Laws all = broken_laws(f, s);
+    return std::count(all.begin(), all.end(), "L7");
+  };
+  CHECK(broken(0.1051, false, false) == 1);
+  CHECK(broken(0.1051, true, false) == 0);
+  CHECK(broken(0.1049, true, false) == 1);
+  CHECK(broken(0.1051, false, true) == 0);
+}
+
 TEST_CASE("laws: L7 the way home is flown against the mean wind", "[sim]") {
   // 24 m/s through the air against 20 m/s leave 4 m/s: 60 m take 15 s, 0.015 of a pack.
   Facts f = facts();

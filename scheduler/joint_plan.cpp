@@ -1,0 +1,400 @@
+#include "scheduler/joint_plan.hpp"
+
+#include "core/random.hpp"
+#include "core/require.hpp"
+#include "planner/fleet/gsa_sorties.hpp"
+#include "planner/fleet/solve.hpp"
+#include "planner/fleet/till_empty.hpp"
+#include "planner/returns/evaluate.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace furrow::scheduler {
+namespace {
+
+namespace fleet = planner::fleet;
+
+constexpr std::uint32_t least_cells = 2;
+
+/// Where one aircraft's list lies in the route of all.
+struct Share {
+  CellRange cells, strips;
+  planner::Returns returns;
+};
+
+/// A route in the order flown, with who flies what of it.
+struct FlownRoute {
+  Remnant order;
+  std::vector<Share> shares;
+};
+
+/// The list's cells as runs as long as can be.
+std::vector<CellRange> runs_of(const std::vector<CellSortie>& list) {
+  std::vector<CellRange> runs;
+  for (const CellSortie& s : list) {
+    if (!runs.empty() && end(runs.back()) == s.cells.first) {
+      runs.back().count += s.cells.count;
+    } else {
+      runs.push_back(s.cells);
+    }
+  }
+  return runs;
+}
+
+/// Marks strips that are the rest of one that another sortie begins.
+void join_rests(planner::Route& route, const std::vector<std::uint32_t>& cells,
+                const planner::Route& whole) {
+  for (planner::Strip& strip : route.strips) {
+    const std::uint32_t first = cells[strip.cells.first];
+    const bool is_rest = whole.strips[planner::strip_of(whole, first)].cells.first < first;
+    if (is_rest) strip.joins = whole.centers[first - 1];
+  }
+}
+
+FlownRoute flown_route(const planner::Route& whole, const SortieLists& lists) {
+  std::vector<CellRange> runs;
+  for (const auto& list : lists) {
+    const std::vector<CellRange> own = runs_of(list);
+    runs.insert(runs.end(), own.begin(), own.end());
+  }
+  FlownRoute flown{.order = remnant(whole, runs), .shares = {}};
+  planner::Route& route = flown.order.route;
+  route.missed = whole.missed;
+  join_rests(route, flown.order.cells, whole);
+  std::uint32_t cell = 0, strip = 0;
+  for (const auto& list : lists) {
+    Share share{.cells = {cell, 0}, .strips = {strip, 0}, .returns = {}};
+    for (const CellSortie& s : list) {
+      if (share.cells.count > 0) share.returns.push_back(share.cells.count - 1);
+      share.cells.count += s.cells.count;
+    }
+    cell = end(share.cells);
+    while (strip < route.strips.size() && route.strips[strip].cells.first < cell) ++strip;
+    share.strips.count = strip - share.strips.first;
+    flown.shares.push_back(std::move(share));
+  }
+  return flown;
+}
+
+/// The ways to a station in the order flown: those of the whole route, but where strips follow
+/// others now.
+planner::StationLengths reordered(const FlownRoute& flown, const planner::StationLengths& whole,
+                                  FieldPoint station) {
+  const planner::Route& route = flown.order.route;
+  planner::StationLengths lengths;
+  lengths.back_m.reserve(flown.order.cells.size());
+  for (const std::uint32_t cell : flown.order.cells) lengths.back_m.push_back(whole.back_m[cell]);
+  lengths.out_m = lengths.back_m;
+  for (std::size_t s = 0; s + 1 < route.strips.size(); ++s) {
+    const planner::Strip& next = route.strips[s + 1];
+    if (next.continues) continue;
+    lengths.out_m[next.cells.first - 1] = route.ferries.length(next.begin, station).base();
+  }
+  return lengths;
+}
+
+/// Makes the plans of the aircraft one after the other.
+class Desk {
+ public:
+  Desk(const FlownRoute& flown, const RouteLengths& lengths, std::span<const Station> stations)
+      : flown_{flown}, lengths_{lengths}, stations_{stations} {}
+
+  /// @return  Nothing where tank or pack do not carry it.
+  std::optional<UavPlan> plan(const Vehicle& vehicle, const std::vector<CellSortie>& list,
+                              const Share& share);
+  /// Of the last plan.
+  const Itinerary& itinerary() const { return itinerary_; }
+
+ private:
+  const planner::StationLengths& lengths(std::uint32_t station);
+
+  const FlownRoute& flown_;
+  const RouteLengths& lengths_;
+  std::span<const Station> stations_;
+  std::map<std::uint32_t, planner::StationLengths> known_{};
+  Itinerary itinerary_{};
+};
+
+const planner::StationLengths& Desk::lengths(std::uint32_t station) {
+  const auto [known, is_new] = known_.try_emplace(station);
+  if (is_new) {
+    known->second = reordered(flown_, lengths_.stations[station], stations_[station].position);
+  }
+  return known->second;
+}
+
+UavPlan grounded_plan(const Vehicle& vehicle, const Station& station, const Share& share) {
+  return {.vehicle = vehicle,
+          .station = station,
+          .strips = share.strips,
+          .cells = share.cells,
+          .solution = {},
+          .visits = {},
+          .spray_ends_s = 0,
+          .lands_s = 0};
+}
+
+const Station& nearest(std::span<const Station> stations, FieldPoint to) {
+  return *std::min_element(stations.begin(), stations.end(),
+                           [to](const Station& a, const Station& b) {
+                             return distance(a.position, to) < distance(b.position, to);
+                           });
+}
+
+std::optional<UavPlan> Desk::plan(const Vehicle& vehicle, const std::vector<CellSortie>& list,
+                                  const Share& share) {
+  UavPlan uav = grounded_plan(vehicle, nearest(stations_, vehicle.home), share);
+  itinerary_ = grounded(vehicle.id);
+  if (list.empty()) return uav;
+  std::map<std::uint32_t, planner::ReturnProblem> problems;
+  std::vector<const planner::ReturnProblem*> by_station(stations_.size(), nullptr), ends;
+  std::vector<std::uint32_t> landings;
+  for (const CellSortie& s : list) {
+    if (!problems.contains(s.station)) {
+      problems.emplace(s.station,
+                       planner::return_problem(flown_.order.route, share.cells, vehicle,
+                                               stations_[s.station], lengths(s.station)));
+    }
+    by_station[s.station] = &problems.at(s.station);
+    ends.push_back(by_station[s.station]);
+    landings.push_back(s.station);
+    uav.landings.push_back(stations_[s.station]);
+  }
+  uav.station = uav.landings.back();
+  if (problems.size() == 1) uav.landings.clear();
+  uav.solution.plan = planner::evaluated(ends, share.returns);
+  if (!planner::is_feasible(*ends.front(), uav.solution.plan)) return std::nullopt;
+  uav.solution.objective_s = uav.solution.plan.non_spray_s;
+  const FlightTimes times{flown_.order.route, by_station};
+  itinerary_ = scheduler::itinerary(vehicle.id, landings, uav.solution.plan, times);
+  return uav;
+}
+
+std::vector<fleet::Sortie> along(const fleet::FleetSorties& sorties,
+                                 std::vector<std::size_t>& order) {
+  order.resize(sorties.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return sorties[a].from_m < sorties[b].from_m; });
+  std::vector<fleet::Sortie> sorted;
+  sorted.reserve(sorties.size());
+  for (const std::size_t i : order) sorted.push_back(sorties[i]);
+  return sorted;
+}
+
+/// Behind the last cell of a sortie that begins with `first`: the nearest, or that which the tank
+/// still lasts for.
+std::uint32_t stop_of(const planner::Route& route, const fleet::FleetProblem& model,
+                      const fleet::Sortie& sortie, std::uint32_t first) {
+  constexpr double slack_m = 1e-6;
+  std::uint32_t stop = cells_before(route, model.path, sortie.to_m);
+  const double tank_end_m =
+      position_m(route, model.path, first) + model.fliers[sortie.flier].tank_m + slack_m;
+  while (stop > first && position_m(route, model.path, stop) > tank_end_m) --stop;
+  return stop;
+}
+
+constexpr std::uint32_t runs = 3;
+
+/// Sorties that a search may fly.
+std::uint64_t budget_of(const planner::SolveSettings& settings) {
+  constexpr double sorties_per_s = 100'000;
+  return static_cast<std::uint64_t>(settings.budget_s * sorties_per_s) + 1;
+}
+
+std::optional<fleet::FleetSorties> by_gravity(const fleet::FleetProblem& model,
+                                              const planner::SolveSettings& settings,
+                                              std::uint64_t& evaluations) {
+  const auto start = fleet::till_empty(model);
+  if (!start) return std::nullopt;
+  const std::uint64_t most = budget_of(settings) / (settings.masses * start->size()) + 1;
+  const auto iterations =
+      static_cast<std::uint32_t>(std::min<std::uint64_t>(settings.iterations, most));
+  evaluations += std::uint64_t{settings.masses} * iterations;
+  return fleet::gsa_sorties(
+      model, {.masses = settings.masses, .iterations = iterations, .seed = settings.seed});
+}
+
+std::optional<fleet::FleetSorties> annealed(const fleet::FleetProblem& model,
+                                            const planner::SolveSettings& settings,
+                                            const fleet::FleetSorties& start, std::uint32_t run,
+                                            std::uint64_t& evaluations) {
+  auto found = fleet::solved(model, {.budget = budget_of(settings) / runs,
+                                     .seed = seed_for(settings.seed, {run}),
+                                     .runs = 1,
+                                     .starts = {start}});
+  if (!found) return std::nullopt;
+  evaluations += found->evaluations;
+  return std::move(found->sorties);
+}
+
+/// A line through the losses of flights, by the ways between strips that each has.
+ModelMargins losses(const FlownLists& flown) {
+  double n = 0.0, hops = 0.0, squares = 0.0, lost_s = 0.0, products = 0.0;
+  for (std::size_t u = 0; u < flown.uavs.size(); ++u) {
+    const UavPlan& uav = flown.uavs[u];
+    const Itinerary& it = flown.itineraries[u];
+    const auto strip_at = [&](std::uint32_t i) {
+      return static_cast<double>(planner::strip_of(flown.order.route, uav.cells.first + i));
+    };
+    for (std::size_t k = 0; k < uav.solution.plan.sorties.size(); ++k) {
+      const planner::PlannedSortie& s = uav.solution.plan.sorties[k];
+      const double flight_s =
+          k < it.flights_s.size() ? it.flights_s[k] : it.last_spray_s + it.last_home_s;
+      const double lost = flight_s - s.fly_out_s - s.spray_s - s.fly_back_s;
+      const double between = strip_at(s.last) - strip_at(k == 0 ? 0 : s.first + 1);
+      n += 1.0;
+      hops += between;
+      squares += between * between;
+      lost_s += lost;
+      products += between * lost;
+    }
+  }
+  if (n == 0.0) return {};
+  const double spread = n * squares - hops * hops;
+  const double by_hop_s =
+      spread > 0.5 ? std::max(0.0, (n * products - hops * lost_s) / spread) : 0.0;
+  return {.hop_loss_s = by_hop_s, .sortie_loss_s = std::max(0.0, (lost_s - by_hop_s * hops) / n)};
+}
+
+/// Flies what the search and its starts say, and keeps the best.
+class Judge {
+ public:
+  Judge(const planner::Route& route, const RouteLengths& lengths, std::span<const Vehicle> vehicles,
+        std::span<const Station> stations)
+      : route_{route}, lengths_{lengths}, vehicles_{vehicles}, stations_{stations} {}
+
+  /// @return  The makespan, if tanks and packs carry the sorties.
+  std::optional<double> consider(const fleet::FleetProblem& model,
+                                 const std::optional<fleet::FleetSorties>& sorties) {
+    if (!sorties) return std::nullopt;
+    auto flown =
+        flown_lists(route_, lengths_, vehicles_, stations_, cell_sorties(route_, model, *sorties));
+    if (!flown) return std::nullopt;
+    const double makespan_s = flown->forecast.makespan_s;
+    keep(std::move(*flown));
+    return makespan_s;
+  }
+  void keep(FlownLists flown) {
+    if (!best_ || worth(flown.forecast) < worth(best_->forecast)) best_ = std::move(flown);
+  }
+  /// @return  Whether tanks and packs carry anything of what a search finds.
+  bool consider_searched(const fleet::FleetProblem& model, const planner::SolveSettings& settings,
+                         const fleet::FleetSorties& start) {
+    if (settings.returns == planner::ReturnStrategy::gsa) {
+      return consider(model, by_gravity(model, settings, evaluations_)).has_value();
+    }
+    bool is_carried = false;
+    for (std::uint32_t run = 0; run < runs; ++run) {
+      const auto found = annealed(model, settings, start, run, evaluations_);
+      is_carried |= consider(model, found).has_value();
+    }
+    return is_carried;
+  }
+  std::uint64_t evaluations() const { return evaluations_; }
+  std::optional<FlownLists>& best() { return best_; }
+
+ private:
+  const planner::Route& route_;
+  const RouteLengths& lengths_;
+  std::span<const Vehicle> vehicles_;
+  std::span<const Station> stations_;
+  std::optional<FlownLists> best_{};
+  std::uint64_t evaluations_ = 0;
+};
+
+}  // namespace
+
+SortieLists cell_sorties(const planner::Route& route, const fleet::FleetProblem& model,
+                         const fleet::FleetSorties& sorties) {
+  std::vector<std::size_t> order;
+  const std::vector<fleet::Sortie> sorted = along(sorties, order);
+  std::vector<CellRange> cells(sorties.size(), CellRange{0, 0});
+  const auto all = static_cast<std::uint32_t>(route.centers.size());
+  std::uint32_t first = 0;
+  std::optional<std::size_t> before;
+  for (std::size_t k = 0; k < sorted.size(); ++k) {
+    const bool is_last = k + 1 == sorted.size();
+    const std::uint32_t stop = is_last ? all : stop_of(route, model, sorted[k], first);
+    if (stop < first + least_cells) {
+      if (is_last && before) cells[*before].count = all - cells[*before].first;
+      if (!is_last || before) continue;
+    }
+    cells[order[k]] = {first, stop - first};
+    first = stop;
+    before = order[k];
+  }
+  SortieLists lists(model.fliers.size());
+  for (std::size_t i = 0; i < sorties.size(); ++i) {
+    if (cells[i].count == 0) continue;
+    lists[sorties[i].flier].push_back({.cells = cells[i], .station = sorties[i].depot});
+  }
+  return lists;
+}
+
+fleet::FleetSorties model_sorties(const planner::Route& route, const fleet::FleetProblem& model,
+                                  const SortieLists& lists) {
+  fleet::FleetSorties sorties;
+  for (std::uint32_t u = 0; u < lists.size(); ++u) {
+    for (const CellSortie& s : lists[u]) {
+      sorties.push_back({.from_m = position_m(route, model.path, s.cells.first),
+                         .to_m = position_m(route, model.path, end(s.cells)),
+                         .flier = u,
+                         .depot = s.station});
+    }
+  }
+  return sorties;
+}
+
+std::optional<FlownLists> flown_lists(const planner::Route& whole, const RouteLengths& lengths,
+                                      std::span<const Vehicle> vehicles,
+                                      std::span<const Station> stations, const SortieLists& lists) {
+  require(lists.size() == vehicles.size(), "every aircraft has a list");
+  FlownRoute flown = flown_route(whole, lists);
+  FlownLists result;
+  Desk desk{flown, lengths, stations};
+  for (std::size_t u = 0; u < vehicles.size(); ++u) {
+    auto uav = desk.plan(vehicles[u], lists[u], flown.shares[u]);
+    if (!uav) return std::nullopt;
+    result.uavs.push_back(std::move(*uav));
+    result.itineraries.push_back(desk.itinerary());
+  }
+  result.forecast = forecast(result.itineraries, stations);
+  for (std::size_t u = 0; u < vehicles.size(); ++u) {
+    result.uavs[u].visits = result.forecast.visits[u];
+    result.uavs[u].spray_ends_s = result.forecast.spray_ends_s[u];
+    result.uavs[u].lands_s = result.forecast.lands_s[u];
+  }
+  result.order = std::move(flown.order);
+  return result;
+}
+
+std::optional<JointPlan> joint_plan(const planner::Route& route, const RouteLengths& lengths,
+                                    std::span<const Vehicle> vehicles,
+                                    std::span<const Station> stations,
+                                    const planner::SolveSettings& settings,
+                                    const SortieLists& start) {
+  JointPlan plan{.flown = {}, .evaluations = 0, .till_empty_s = {}, .simple_s = {}};
+  Judge judge{route, lengths, vehicles, stations};
+  ModelMargins margins;
+  if (auto begun = flown_lists(route, lengths, vehicles, stations, start)) {
+    margins = losses(*begun);
+    judge.keep(std::move(*begun));
+  }
+  for (int attempt = 0; attempt < 2; ++attempt) {
+    const auto model = search_model(route, vehicles, stations, margins);
+    if (!model) break;
+    if (!plan.till_empty_s) plan.till_empty_s = judge.consider(*model, fleet::till_empty(*model));
+    if (!plan.simple_s) plan.simple_s = judge.consider(*model, fleet::simple_sorties(*model));
+    if (judge.consider_searched(*model, settings, model_sorties(route, *model, start))) break;
+    margins.pack_share *= 0.9;
+    margins.spare_cells += 2.0;
+  }
+  plan.evaluations = judge.evaluations();
+  if (!judge.best()) return std::nullopt;
+  plan.flown = std::move(*judge.best());
+  return plan;
+}
+
+}  // namespace furrow::scheduler
