@@ -144,6 +144,7 @@ Expected<Sketch, PlanError> survey_sketch(const FleetProblem& problem,
   Sketch made{.coverage = {.route = planner::survey_route(*problem.survey, rule, ferries,
                                                           problem.vehicles.front().home),
                            .direction_deg = 0,
+                           .leaps = {},
                            .sweep = {}},
               .lengths = {},
               .draft = {}};
