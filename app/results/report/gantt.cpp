@@ -175,21 +175,23 @@ std::string picture(const std::vector<Row>& rows, const Scale& scale, const Flee
   draw_mark(svg, scale, height, fleet.lower_bound_s, "no plan ends earlier", "end", 0, "2 3");
   draw_mark(
       svg, scale, height, fleet.makespan_s,
-      fmt::format("last cell {} {:.1f}", is_flown ? "sprayed" : "planned", fleet.makespan_s / 60),
+      fmt::format("work {} {:.1f}", is_flown ? "ended" : "planned to end", fleet.makespan_s / 60),
       "end", 13, "");
   return svg.markup();
 }
 
-std::string legend() {
+std::string legend(bool is_survey) {
   const auto key = [](std::string_view style, std::string_view words) {
     return fmt::format("<li><i class=\"key\" style=\"{}\"></i>{}</li>", style, words);
   };
-  return "<ul class=\"legend\">" + key("background:#0072b2", "spraying (the UAV's colour)") +
+  return "<ul class=\"legend\">" +
+         key("background:#0072b2",
+             is_survey ? "visiting (the UAV's colour)" : "spraying (the UAV's colour)") +
          key("background:#0072b2;opacity:.55;height:5px", "flying out or back") +
          key(fmt::format("background:{}", waiting), "waiting for a bay") +
          key(fmt::format("background:{}", serving), "in a bay") +
          key(fmt::format("background:{}", alarm), "holding for a grant") +
-         "<li><i class=\"key diamond\"></i>planned end of spraying</li></ul>";
+         "<li><i class=\"key diamond\"></i>planned end of work</li></ul>";
 }
 
 }  // namespace
@@ -209,7 +211,7 @@ std::string gantt_figure(const Flown& flown, const Result& result, const Colours
     figure += picture({begin, begin + static_cast<std::ptrdiff_t>(count)}, scale, result.fleet,
                       result.mode != Mode::plan);
   }
-  return figure + legend();
+  return figure + legend(result.survey.has_value());
 }
 
 }  // namespace furrow::app

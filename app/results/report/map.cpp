@@ -26,7 +26,7 @@ class Panels {
 
   std::string planned() const {
     Svg svg = land_panel(view_, record_.scenario, "Planned");
-    draw_contours(svg);
+    draw_relief(svg);
     for (std::size_t i = 0; i < uavs().size(); ++i) draw_ferries(svg, i);
     for (std::size_t i = 0; i < uavs().size(); ++i) {
       svg.path(strips(i), false,
@@ -42,6 +42,7 @@ class Panels {
 
   std::string tracks() const {
     Svg svg = land_panel(view_, record_.scenario, "Flown");
+    draw_relief(svg);
     for (std::size_t i = 0; i < uavs().size(); ++i) {
       svg.path(strips(i), false, {.stroke = "#a9a48f", .width = 0.6});
       draw_visits(svg, i);
@@ -136,14 +137,25 @@ class Panels {
     svg.path(ways, false, {.stroke = "#8b8b80", .width = 0.6, .opacity = 0.7, .dash = "3 3"});
   }
 
-  // From the field to its stations.
-  void draw_contours(Svg& svg) const {
+  // The ground from the field to its stations, and the volumes that nobody enters.
+  void draw_relief(Svg& svg) const {
     const planner::Relief* relief = route_.ferries.relief();
     if (relief == nullptr) return;
+    draw_contours(svg, *relief);
+    for (const planner::KeepOut& volume : relief->keep_out()) {
+      const FieldPoint at = at_m(volume.x_m, volume.y_m);
+      svg.circle(view_.at(at), volume.radius_m * view_.pixels_per_m,
+                 {.fill = "#f6d5d2", .stroke = alarm, .width = 1.2, .opacity = 0.8, .dash = "4 3"},
+                 fmt::format("keep-out volume at ({:.1f}, {:.1f}) m, radius {:.1f} m", volume.x_m,
+                             volume.y_m, volume.radius_m));
+    }
+  }
+
+  void draw_contours(Svg& svg, const planner::Relief& relief) const {
     Extent extent{record_.scenario.field.boundary.front(), record_.scenario.field.boundary.front()};
     for (const FieldPoint p : record_.scenario.field.boundary) cover(extent, p);
     for (const Station& s : record_.scenario.stations) cover(extent, s.position);
-    const Contours lines = contours(relief->surface(), extent);
+    const Contours lines = contours(relief.surface(), extent);
     Chains chains;
     chains.reserve(lines.pieces.size());
     for (const auto& piece : lines.pieces) chains.push_back(pixels(view_, piece));
@@ -317,7 +329,8 @@ std::string survey_legend(const Result& result, const Colours& colours) {
   for (std::size_t i = 0; i < result.uavs.size(); ++i) {
     items += key(colours[i], fmt::format("UAV {}: way points, ways", result.uavs[i].id));
   }
-  return "<ul class=\"legend\">" + items + key(ink, "supply station") + "</ul>";
+  items += key(ink, "supply station");
+  return "<ul class=\"legend\">" + items + key("#f6d5d2", "keep-out volume") + "</ul>";
 }
 
 std::string legend(const Result& result, const Colours& colours, bool is_flown) {
