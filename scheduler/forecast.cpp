@@ -38,7 +38,7 @@ void serve(std::span<const Itinerary> itineraries, Bays bays, Served served) {
     arrivals.push_back({leaves_s + itineraries[i].flights_s[next[i]], i});
     std::push_heap(arrivals.begin(), arrivals.end(), is_later);
   };
-  for (std::size_t i = 0; i < itineraries.size(); ++i) arrive(i, 0.0);
+  for (std::size_t i = 0; i < itineraries.size(); ++i) arrive(i, itineraries[i].begins_s);
   while (!arrivals.empty()) {
     const auto [at_s, i] = arrivals.front();
     std::pop_heap(arrivals.begin(), arrivals.end(), is_later);
@@ -115,7 +115,7 @@ Forecast forecast(std::span<const Itinerary> itineraries, std::span<const Statio
   for (std::size_t i = 0; i < count; ++i) {
     const Itinerary& it = itineraries[i];
     if (!it.flies) continue;
-    const double leaves_s = f.visits[i].empty() ? 0.0 : f.visits[i].back().ready_s;
+    const double leaves_s = f.visits[i].empty() ? it.begins_s : f.visits[i].back().ready_s;
     f.spray_ends_s[i] = leaves_s + it.last_spray_s;
     f.lands_s[i] = f.spray_ends_s[i] + it.last_home_s;
     f.makespan_s = std::max(f.makespan_s, f.spray_ends_s[i]);

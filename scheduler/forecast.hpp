@@ -20,6 +20,7 @@ struct Itinerary {
   double last_spray_s;  ///< From the last leaving of the station to the last sprayed cell.
   double last_home_s;   ///< From there to the station.
   bool flies;           ///< False for an empty share.
+  double begins_s = 0;  ///< Mission time of its first take-off.
 };
 
 /// The plan as it is flown, all of it from one station.
@@ -46,7 +47,7 @@ struct Forecast {
 /// What missions are compared by: the makespan, then the sum of all finishes.
 std::tuple<double, double> worth(const Forecast& forecast);
 
-/// Flies all itineraries from mission time 0. Each station serves first come first served, those
+/// Flies all itineraries, each from its begin. Each station serves first come first served, those
 /// who come at the same instant by agent id, in the lowest free bay.
 ///
 /// Time O(visits * (log itineraries + bays)).

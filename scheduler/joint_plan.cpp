@@ -262,15 +262,19 @@ ModelMargins losses(const FlownLists& flown) {
 class Judge {
  public:
   Judge(const planner::Route& route, const RouteLengths& lengths, std::span<const Vehicle> vehicles,
-        std::span<const Station> stations)
-      : route_{route}, lengths_{lengths}, vehicles_{vehicles}, stations_{stations} {}
+        std::span<const Station> stations, std::span<const double> ready_s)
+      : route_{route},
+        lengths_{lengths},
+        vehicles_{vehicles},
+        stations_{stations},
+        ready_s_{ready_s} {}
 
   /// @return  The makespan, if tanks and packs carry the sorties.
   std::optional<double> consider(const fleet::FleetProblem& model,
                                  const std::optional<fleet::FleetSorties>& sorties) {
     if (!sorties) return std::nullopt;
-    auto flown =
-        flown_lists(route_, lengths_, vehicles_, stations_, cell_sorties(route_, model, *sorties));
+    auto flown = flown_lists(route_, lengths_, vehicles_, stations_,
+                             cell_sorties(route_, model, *sorties), ready_s_);
     if (!flown) return std::nullopt;
     const double makespan_s = flown->forecast.makespan_s;
     keep(std::move(*flown));
@@ -300,6 +304,7 @@ class Judge {
   const RouteLengths& lengths_;
   std::span<const Vehicle> vehicles_;
   std::span<const Station> stations_;
+  std::span<const double> ready_s_;
   std::optional<FlownLists> best_{};
   std::uint64_t evaluations_ = 0;
 };
@@ -349,7 +354,8 @@ fleet::FleetSorties model_sorties(const planner::Route& route, const fleet::Flee
 
 std::optional<FlownLists> flown_lists(const planner::Route& whole, const RouteLengths& lengths,
                                       std::span<const Vehicle> vehicles,
-                                      std::span<const Station> stations, const SortieLists& lists) {
+                                      std::span<const Station> stations, const SortieLists& lists,
+                                      std::span<const double> ready_s) {
   require(lists.size() == vehicles.size(), "every aircraft has a list");
   FlownRoute flown = flown_route(whole, lists);
   FlownLists result;
@@ -359,6 +365,7 @@ std::optional<FlownLists> flown_lists(const planner::Route& whole, const RouteLe
     if (!uav) return std::nullopt;
     result.uavs.push_back(std::move(*uav));
     result.itineraries.push_back(desk.itinerary());
+    if (!ready_s.empty()) result.itineraries.back().begins_s = ready_s[u];
   }
   result.forecast = forecast(result.itineraries, stations);
   for (std::size_t u = 0; u < vehicles.size(); ++u) {
@@ -374,17 +381,18 @@ std::optional<JointPlan> joint_plan(const planner::Route& route, const RouteLeng
                                     std::span<const Vehicle> vehicles,
                                     std::span<const Station> stations,
                                     const planner::SolveSettings& settings,
-                                    const SortieLists& start) {
+                                    const SortieLists& start, std::span<const double> ready_s) {
   JointPlan plan{.flown = {}, .evaluations = 0, .till_empty_s = {}, .simple_s = {}};
-  Judge judge{route, lengths, vehicles, stations};
+  Judge judge{route, lengths, vehicles, stations, ready_s};
   ModelMargins margins;
-  if (auto begun = flown_lists(route, lengths, vehicles, stations, start)) {
+  if (auto begun = flown_lists(route, lengths, vehicles, stations, start, ready_s)) {
     margins = losses(*begun);
     judge.keep(std::move(*begun));
   }
   for (int attempt = 0; attempt < 2; ++attempt) {
-    const auto model = search_model(route, vehicles, stations, margins);
+    auto model = search_model(route, vehicles, stations, margins);
     if (!model) break;
+    for (std::size_t u = 0; u < ready_s.size(); ++u) model->fliers[u].ready_s = ready_s[u];
     if (!plan.till_empty_s) plan.till_empty_s = judge.consider(*model, fleet::till_empty(*model));
     if (!plan.simple_s) plan.simple_s = judge.consider(*model, fleet::simple_sorties(*model));
     if (judge.consider_searched(*model, settings, model_sorties(route, *model, start))) break;

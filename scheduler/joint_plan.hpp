@@ -46,10 +46,12 @@ struct FlownLists {
 ///
 /// @param whole    Of which the lists have every cell once.
 /// @param lengths  Of `whole`.
+/// @param ready_s  By aircraft: mission time of its first take-off; all at 0 when left out.
 /// @return  Nothing where a tank or a pack does not carry some sortie.
 std::optional<FlownLists> flown_lists(const planner::Route& whole, const RouteLengths& lengths,
                                       std::span<const Vehicle> vehicles,
-                                      std::span<const Station> stations, const SortieLists& lists);
+                                      std::span<const Station> stations, const SortieLists& lists,
+                                      std::span<const double> ready_s = {});
 
 struct JointPlan {
   FlownLists flown;
@@ -72,6 +74,6 @@ std::optional<JointPlan> joint_plan(const planner::Route& route, const RouteLeng
                                     std::span<const Vehicle> vehicles,
                                     std::span<const Station> stations,
                                     const planner::SolveSettings& settings,
-                                    const SortieLists& start);
+                                    const SortieLists& start, std::span<const double> ready_s = {});
 
 }  // namespace furrow::scheduler

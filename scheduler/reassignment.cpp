@@ -1,6 +1,7 @@
 // How the scheduler moves work from one list to another: of the lost, for who joins late, behind
 // what blocks a strip.
 
+#include "core/require.hpp"
 #include "scheduler/events.hpp"
 #include "scheduler/orders.hpp"
 #include "scheduler/remnant.hpp"
@@ -51,7 +52,7 @@ std::vector<CellRange> SchedulerNode::open_cells(const Member& m) const {
   return open;
 }
 
-/// Gives the work of lost agents to the others.
+/// Gives the work of lost agents to the others, then what nobody has begun anew to all.
 void SchedulerNode::share_out(Instant now, Outbox& out) {
   if (phase_ != MissionPhase::flying || orphans_.empty()) return;
   spare_the_fleet(out);
@@ -63,12 +64,13 @@ void SchedulerNode::share_out(Instant now, Outbox& out) {
     able.push_back(&m);
     survivors.push_back(survivor(m, now));
   }
-  Takeover shared = take_over(settings_.plan.route, orphans, survivors);
+  Takeover shared = take_over(settings_.plan.route, orphans, survivors, settings_.effort);
   for (std::size_t i = 0; i < able.size(); ++i)
     extend(*able[i], std::move(shared.additions[i]), out);
   const std::string_view why =
       able.empty() ? "no aircraft is left" : "out of reach of every aircraft that is left";
   for (const CellRange cells : shared.nobodys) abandon(cells, why, out);
+  share_anew(now, out);
 }
 
 bool SchedulerNode::can_take_more(const Member& m, Instant now) const {
@@ -108,7 +110,8 @@ void SchedulerNode::share_anew(Instant now, Outbox& out) {
     survivors.push_back(survivor(revised[i], now));
   }
   if (unbegun.empty()) return;
-  Takeover shared = take_over(settings_.plan.route, joined(std::move(unbegun)), survivors);
+  Takeover shared =
+      take_over(settings_.plan.route, joined(std::move(unbegun)), survivors, settings_.effort);
   for (std::size_t i = 0; i < who.size(); ++i) {
     const Addition& added = shared.additions[i];
     const double kept_s = done_s(revised[who[i]], now);
@@ -135,6 +138,7 @@ std::vector<CellRange> SchedulerNode::take_back(Member& m, Instant now) {
   }
   if (back.empty()) return back;
   m.pieces = pieces(m.sorties);
+  if (!m.sorties.empty()) m.station = station(m.sorties.back().station);
   const double now_s = seconds(now.time_since_epoch()).base();
   const double share = static_cast<double>(cells_left(m)) / left_before;
   if (m.lands_s > now_s) m.lands_s = now_s + share * (m.lands_s - now_s);
@@ -159,6 +163,13 @@ void SchedulerNode::spare_the_fleet(Outbox& out) {
     }
   }
   orphans_ = std::move(left);
+}
+
+const Station& SchedulerNode::station(StationId id) const {
+  const auto known = std::find_if(stations_.begin(), stations_.end(),
+                                  [id](const Station& s) { return s.id == id; });
+  require(known != stations_.end(), "sorties end at stations of the plan");
+  return *known;
 }
 
 std::uint32_t SchedulerNode::cells_left(const Member& m) const {
@@ -200,6 +211,7 @@ void SchedulerNode::extend(Member& m, Addition added, Outbox& out) {
       "work_taken_over", text(m.agent) + " takes over " + std::to_string(cells) + " cells in " +
                              std::to_string(added.sorties.size()) + " sorties"));
   std::move(added.sorties.begin(), added.sorties.end(), std::back_inserter(m.sorties));
+  m.station = added.station;
   m.lands_s = added.lands_s;
   revise(m);
 }

@@ -53,6 +53,8 @@ SchedulerNode::SchedulerNode(SchedulerSettings settings)
   require(settings_.windows_ahead >= 1, "an agent has a window to work on");
   require(number(settings_.epoch) > 0, "an epoch is counted from 1");
   for (const UavPlan& uav : settings_.plan.uavs) {
+    stations_.push_back(uav.station);
+    stations_.insert(stations_.end(), uav.landings.begin(), uav.landings.end());
     Member m{.agent = uav.vehicle.id,
              .vehicle = uav.vehicle,
              .station = uav.station,

@@ -26,6 +26,7 @@ struct SchedulerSettings {
   Duration gather_time{std::chrono::seconds{10}};  ///< An agent not heard of by then is lost.
   std::uint32_t windows_ahead = 2;                 ///< Open windows per agent, >= 1.
   std::vector<TimedOrder> orders{};                ///< Of the operator, in order of time.
+  Effort effort{};                                 ///< Whenever work changes hands.
 };
 
 /// The scheduler of a mission as a node.
@@ -37,8 +38,9 @@ struct SchedulerSettings {
 /// most every two seconds.
 ///
 /// An agent silent for longer than its lease is lost and never listened to again in this epoch. Its
-/// open windows are uncertain for good. The rest of its list is shared over the others, each of
-/// which is sent a new revision: its whole list with sorties added at the end. Strips at which
+/// open windows are uncertain for good. The rest of its list is shared over the others; then what
+/// nobody has begun is shared out anew over all, if that ends the mission earlier. Each whose list
+/// changes is sent a new revision: what it has begun, then its other sorties. Strips at which
 /// aircraft are lost again and again, and what nobody reaches, are given up.
 ///
 /// An agent that joins late is not waited for. Once it is heard of, the sorties that nobody has
@@ -126,6 +128,7 @@ class SchedulerNode {
   void extend(Member& m, Addition added, Outbox& out);
   void cut_blocked(Member& m, std::uint32_t first, Outbox& out);
   Survivor survivor(const Member& m, Instant now) const;
+  const Station& station(StationId id) const;
   std::vector<CellRange> open_cells(const Member& m) const;
   void finish_if_done(Outbox& out);
   void report_state(Instant now, Outbox& out);
@@ -138,6 +141,7 @@ class SchedulerNode {
   SchedulerSettings settings_;
   Ledger ledger_;
   std::vector<Member> members_;            ///< In order of agent id.
+  std::vector<Station> stations_{};        ///< Where sorties of the plan end.
   std::vector<CellRange> orphans_{};       ///< Open cells of lost agents, not yet shared out.
   std::vector<KeptObstacle> obstacles_{};  ///< Met in flight, in the order heard of.
   std::vector<std::uint32_t> losses_;      ///< By strip: agents lost at work on it.

@@ -3,6 +3,7 @@
 #include "planner/returns/simple.hpp"
 #include "planner/returns/unplanned.hpp"
 #include "scheduler/forecast.hpp"
+#include "scheduler/joint_plan.hpp"
 #include "scheduler/orders.hpp"
 #include "scheduler/partition.hpp"
 #include "scheduler/remnant.hpp"
@@ -33,9 +34,10 @@ double flight_s(const Itinerary& it) {
 }
 
 /// The sorties under the numbers of the whole route.
-std::vector<SortieOrder> renumbered(std::vector<SortieOrder> sorties, const Remnant& left) {
+std::vector<SortieOrder> renumbered(std::vector<SortieOrder> sorties,
+                                    const std::vector<std::uint32_t>& cells) {
   for (SortieOrder& sortie : sorties) {
-    for (Piece& piece : sortie.pieces) piece.cells.first = left.cells[piece.cells.first];
+    for (Piece& piece : sortie.pieces) piece.cells.first = cells[piece.cells.first];
   }
   return sorties;
 }
@@ -87,10 +89,32 @@ std::vector<Share> cut(const Desk& desk) {
   return shares;
 }
 
+/// A share with its return points.
+struct Planned {
+  Addition addition;
+  std::vector<CellSortie> list;  ///< The same, in cells of what is left.
+};
+
+std::vector<CellSortie> list_of(CellRange cells, const planner::Returns& returns,
+                                std::uint32_t station) {
+  std::vector<CellSortie> list;
+  std::uint32_t first = cells.first;
+  const auto add = [&](std::uint32_t stop) {
+    list.push_back({.cells = {first, stop - first}, .station = station});
+    first = stop;
+  };
+  for (const std::uint32_t last : returns) add(cells.first + last + 1);
+  add(end(cells));
+  return list;
+}
+
 /// The share as sorties; none where the survivor cannot fly it.
-std::optional<Addition> addition(const Desk& desk, std::size_t u, const Share& share) {
+std::optional<Planned> planned(const Desk& desk, std::size_t u, const Share& share) {
   const Survivor& survivor = desk.survivors[u];
-  if (share.strips.count == 0) return Addition{.sorties = {}, .lands_s = survivor.ready_s};
+  Planned none{
+      .addition = {.sorties = {}, .lands_s = survivor.ready_s, .station = survivor.station},
+      .list = {}};
+  if (share.strips.count == 0) return none;
   const planner::Route& route = desk.left.route;
   const std::uint32_t first = route.strips[share.strips.first].cells.first;
   const std::uint32_t stop = end(route.strips[end(share.strips) - 1].cells);
@@ -109,41 +133,95 @@ std::optional<Addition> addition(const Desk& desk, std::size_t u, const Share& s
               .spray_ends_s = 0,
               .lands_s = 0};
   uav.solution.plan = std::move(*plan);
-  return Addition{.sorties = renumbered(orders(route, uav), desk.left),
-                  .lands_s = survivor.ready_s + flight_s(flown)};
+  const auto station = static_cast<std::uint32_t>(desk.at[u]);
+  return Planned{.addition = {.sorties = renumbered(orders(route, uav), desk.left.cells),
+                              .lands_s = survivor.ready_s + flight_s(flown),
+                              .station = survivor.station},
+                 .list = list_of(problem.cells, uav.solution.plan.returns, station)};
 }
 
 /// All shares as sorties; nothing once a survivor proves unable, which the desk then knows.
-std::optional<std::vector<Addition>> additions(Desk& desk) {
+std::optional<std::vector<Planned>> all_planned(Desk& desk) {
   const std::vector<Share> shares = cut(desk);
-  std::vector<Addition> all;
+  std::vector<Planned> all;
   for (std::size_t u = 0; u < shares.size(); ++u) {
-    auto added = addition(desk, u, shares[u]);
-    if (!added) {
+    auto one = planned(desk, u, shares[u]);
+    if (!one) {
       desk.reaches[u] = false;
       return std::nullopt;
     }
-    all.push_back(std::move(*added));
+    all.push_back(std::move(*one));
   }
   return all;
+}
+
+/// The plan of an aircraft on the order flown of what is left, as an addition.
+Addition addition_of(const UavPlan& uav, const Remnant& order, const Desk& desk, double ready_s) {
+  std::vector<std::uint32_t> cells;
+  cells.reserve(order.cells.size());
+  for (const std::uint32_t c : order.cells) cells.push_back(desk.left.cells[c]);
+  Addition added{.sorties = renumbered(orders(order.route, uav), cells),
+                 .lands_s = ready_s,
+                 .station = uav.station};
+  if (!added.sorties.empty()) added.lands_s = uav.lands_s;
+  return added;
+}
+
+/// Makes of runs of strips what the joint search makes of them.
+void improve(std::vector<Planned>& all, const Desk& desk, const Effort& effort) {
+  std::vector<std::size_t> who;
+  std::vector<Vehicle> vehicles;
+  std::vector<double> ready_s;
+  SortieLists start;
+  for (std::size_t u = 0; u < all.size(); ++u) {
+    if (!desk.reaches[u]) continue;
+    who.push_back(u);
+    vehicles.push_back(desk.survivors[u].vehicle);
+    ready_s.push_back(desk.survivors[u].ready_s);
+    start.push_back(std::move(all[u].list));
+  }
+  const planner::SolveSettings settings{.returns = planner::ReturnStrategy::joint,
+                                        .refine = true,
+                                        .paper_counting = false,
+                                        .iterations = 1,
+                                        .masses = 2,
+                                        .budget_s = effort.budget_s,
+                                        .seed = effort.seed};
+  const auto joint =
+      joint_plan(desk.left.route, desk.lengths, vehicles, desk.stations, settings, start, ready_s);
+  if (!joint) return;
+  for (std::size_t i = 0; i < who.size(); ++i) {
+    Addition& addition = all[who[i]].addition;
+    const UavPlan& uav = joint->flown.uavs[i];
+    if (uav.cells.count > 0) {
+      addition = addition_of(uav, joint->flown.order, desk, ready_s[i]);
+    } else {
+      addition = {.sorties = {}, .lands_s = ready_s[i], .station = desk.survivors[who[i]].station};
+    }
+  }
 }
 
 Takeover nobody_takes(std::span<const CellRange> orphans, std::span<const Survivor> survivors) {
   Takeover none{.additions = {}, .nobodys = {orphans.begin(), orphans.end()}};
   for (const Survivor& s : survivors)
-    none.additions.push_back({.sorties = {}, .lands_s = s.ready_s});
+    none.additions.push_back({.sorties = {}, .lands_s = s.ready_s, .station = s.station});
   return none;
 }
 
 }  // namespace
 
 Takeover take_over(const planner::Route& route, std::span<const CellRange> orphans,
-                   std::span<const Survivor> survivors) {
+                   std::span<const Survivor> survivors, const Effort& effort) {
   if (orphans.empty() || survivors.empty()) return nobody_takes(orphans, survivors);
   const Remnant left = remnant(route, orphans);
   Desk desk = desk_for(left, survivors);
   for (std::size_t able = survivors.size(); able > 0; --able) {
-    if (auto all = additions(desk)) return {.additions = std::move(*all), .nobodys = {}};
+    auto all = all_planned(desk);
+    if (!all) continue;
+    improve(*all, desk, effort);
+    Takeover shared;
+    for (Planned& one : *all) shared.additions.push_back(std::move(one.addition));
+    return shared;
   }
   return nobody_takes(orphans, survivors);
 }

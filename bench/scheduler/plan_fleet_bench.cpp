@@ -124,6 +124,29 @@ void BM_takeover_of_one_of_twenty(benchmark::State& state) {
 }
 BENCHMARK(BM_takeover_of_one_of_twenty)->Unit(benchmark::kMillisecond);
 
+// All that twenty aircraft have not begun half way through a hundred hectares, in rows of 5 m.
+void BM_new_plan_for_twenty(benchmark::State& state) {
+  FleetProblem p = hundred_hectares();
+  const auto coverage = planner::cover(p.field, metres(5), p.coverage);
+  const planner::Route* route = &coverage->route;
+  const auto cells = static_cast<std::uint32_t>(route->centers.size());
+  const std::vector<CellRange> unbegun{{cells / 2, cells - cells / 2}};
+  std::vector<Survivor> survivors;
+  for (std::uint32_t i = 0; i < 20; ++i) {
+    p.vehicles[i].swath = metres(5);
+    survivors.push_back(
+        {.vehicle = p.vehicles[i], .station = p.stations[i % 2], .ready_s = 5000.0 + 10.0 * i});
+  }
+  for (auto _ : state) {
+    double latest_s = 0.0;
+    for (const Addition& a : take_over(*route, unbegun, survivors).additions) {
+      latest_s = std::max(latest_s, a.lands_s);
+    }
+    state.counters["makespan_s"] = latest_s;
+  }
+}
+BENCHMARK(BM_new_plan_for_twenty)->Unit(benchmark::kMillisecond);
+
 // Twenty aircraft, ten returns each, at two stations of two bays.
 void BM_forecast(benchmark::State& state) {
   const std::vector stations{station(1, 2, at_m(0, 0)), station(2, 2, at_m(0, 0))};

@@ -64,7 +64,7 @@ Finish QueueClock::finish(std::span<const Sortie> sorties) {
   };
   arrivals_.clear();
   for (std::size_t u = 0; u < first_.size(); ++u) {
-    if (first_[u] != none) fly(first_[u], problem_.fliers[u].start, 0.0);
+    if (first_[u] != none) fly(first_[u], problem_.fliers[u].start, problem_.fliers[u].ready_s);
   }
   Finish finish{};
   while (!arrivals_.empty()) {

@@ -30,6 +30,7 @@ class Dealer {
  public:
   explicit Dealer(const FleetProblem& problem) : problem_{problem}, ready_(problem.fliers.size()) {
     for (const Depot& d : problem.depots) free_s_.emplace_back(d.bays, 0.0);
+    for (std::size_t u = 0; u < ready_.size(); ++u) ready_[u].lands_s = problem.fliers[u].ready_s;
   }
 
   std::uint32_t next() const {
