@@ -32,7 +32,7 @@ struct Takeover {
 
 /// How much a search for the joint plan may do.
 struct Effort {
-  double budget_s = 0.5;  ///< Turned into a fixed count of work, as planner::SolveSettings.
+  double budget_s = 1.0;  ///< Turned into a fixed count of work, as planner::SolveSettings.
   std::uint64_t seed = 1;
 };
 

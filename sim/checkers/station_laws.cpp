@@ -118,6 +118,12 @@ class StationLaws final : public Checker {
     }
   }
 
+  static bool is_served(const Books& books, AgentId agent, std::uint64_t claim) {
+    return std::any_of(books.holders.begin(), books.holders.end(), [&](const auto& bay) {
+      return bay.second.grant.agent == agent && bay.second.grant.claim == claim;
+    });
+  }
+
   void check_turn(const Books& books, const ServiceGrant& grant, Instant at) {
     const auto own = books.claims.find(grant.agent);
     if (own == books.claims.end() || own->second.last.claim != grant.claim) {
@@ -131,6 +137,7 @@ class StationLaws final : public Checker {
                               claim.first_heard + grace <= at &&
                               claim.last_heard + facts_.claim_lease > at;
       if (books.refused.contains({agent, claim.last.claim})) continue;
+      if (is_served(books, agent, claim.last.claim)) continue;  // and has not heard of it yet
       const bool is_earlier = std::pair{claim.last.first_claimed, agent} <
                               std::pair{own->second.last.first_claimed, grant.agent};
       if (is_waiting && is_earlier) {

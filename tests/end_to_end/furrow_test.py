@@ -213,6 +213,25 @@ class Deaths(Furrow):
         self.assertEqual(result["faults"][0]["noticed_s"], 600)
         self.assertNotIn(True, [uav["lost"] for uav in result["uavs"]])
 
+    def test_sorties_from_one_station_to_another_are_flown_by_sim_and_run_alike(self):
+        result, _ = self.flown_alike("two_stations.yaml", "sorties chosen jointly")
+        for uav in result["uavs"]:
+            self.assertEqual({s["station"] for s in uav["sorties"] if s["station"]}, {1, 2})
+
+    def test_a_queue_at_one_bay_is_planned_by_sim_and_run_alike(self):
+        result, _ = self.flown_alike("bottleneck_bay.yaml", "sorties chosen jointly")
+        others = result["solver"]["fleet"]
+        for other in ("shares_s", "till_empty_s", "simple_s"):
+            self.assertLess(result["fleet"]["planned_makespan_s"], others[other])
+        self.assertLess(abs(result["fleet"]["makespan_s"] / result["fleet"]["planned_makespan_s"] - 1),
+                        0.02)
+
+    def test_a_mixed_fleet_shares_by_what_each_can_do_by_sim_and_run_alike(self):
+        result, _ = self.flown_alike("mixed_fleet.yaml")
+        small, _, fast, big = (uav["area_m2"] for uav in result["uavs"])
+        self.assertLess(1.2 * small, fast)
+        self.assertLess(1.2 * small, big)
+
     def test_a_mission_whose_only_station_fails_ends_and_says_so(self):
         shut = self.scenario(GARDEN.read_text() +
                              "faults: [{at_s: 60, kind: bay_down, target: 1}]\n")
@@ -460,8 +479,9 @@ class Hosts(Furrow):
 
 
 class Scenarios(Furrow):
-    ELSEWHERE = {"alley_blocked", "block_1000ha", "empty_stock", "fleet_20", "late_joiner",
-                 "lost_agent", "station_down", "surprise_tree", "template", "wang2017_field_a",
+    ELSEWHERE = {"alley_blocked", "block_1000ha", "bottleneck_bay", "empty_stock", "fleet_20",
+                 "fleet_200", "late_joiner", "lost_agent", "mixed_fleet", "station_down",
+                 "surprise_tree", "template", "two_stations", "wang2017_field_a",
                  "wang2017_field_a_single"}  # flown by other tests, or large
 
     def test_scenarios_of_the_repository_meet_what_they_expect(self):

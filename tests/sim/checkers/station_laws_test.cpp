@@ -22,6 +22,20 @@ TEST_CASE("laws: L9 two in a bay, L11 out of turn", "[sim]") {
     s.say(scheduler_node(), 20, finished(4, 0));
     CHECK(broken_laws(facts(), s) == Laws{});
   }
+  SECTION("two are given bays at once, before the first says that it is in") {
+    s.say(node(one), 12, claim(one, ClaimStatus::released, 1, 10));
+    ServiceClaim again = claim(one, ClaimStatus::waiting, 0, 12.2);
+    again.claim = 2;
+    s.say(node(two), 12.1, claim(two, ClaimStatus::waiting, 0, 11));
+    s.say(node(one), 12.2, again);
+    s.say(node(StationId{1}), 14, bay_one(two, 2, 14));
+    ServiceGrant beside = bay_one(one, 3, 14.04);
+    beside.claim = 2;
+    beside.bay = 2;
+    s.say(node(StationId{1}), 14.04, beside);
+    s.say(scheduler_node(), 20, finished(4, 0));
+    CHECK(broken_laws(facts(), s) == Laws{});
+  }
   SECTION("a later claim is served before an earlier one") {
     s.say(node(one), 12, claim(one, ClaimStatus::released, 1, 10));
     ServiceClaim again = claim(one, ClaimStatus::waiting, 0, 13);
