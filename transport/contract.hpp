@@ -36,10 +36,11 @@ struct History {
 struct TopicContract {
   std::string_view name;
   Kinds writers;
-  Kinds readers;        ///< Besides the director, who reads all that it does not write.
-  History wall;         ///< Wall clock: the newest counts, except where each message does.
-  History granted;      ///< Granted time: each message counts, and a round never fills this depth.
-  bool leased = false;  ///< Wall clock: a writer that does not assert itself for a lease is dead.
+  Kinds readers;    ///< Besides the director, who reads all that it does not write.
+  History wall;     ///< Wall clock: the newest counts, except where each message does.
+  History granted;  ///< Granted time: each message counts, and a round never fills this depth.
+  bool leased =
+      false;  ///< Wall clock: a writer that does not assert itself for `wall_lease` is dead.
 };
 
 /// By the index of the message in Body. Every topic is RELIABLE and TRANSIENT_LOCAL, so that what
@@ -81,12 +82,15 @@ struct Quality {
   std::optional<std::chrono::milliseconds> lease{};
 };
 
+/// Longest silence of one who lives.
 inline constexpr std::chrono::milliseconds wall_lease{1000};
+/// The middleware's own lease; the rest of the whole is for its word to prove true. See Vigil.
+inline constexpr std::chrono::milliseconds suspicion_lease{600};
 
 constexpr Quality quality(std::size_t topic, TimeMode mode) {
   const TopicContract& c = contract[topic];
   if (mode == TimeMode::granted) return {.history = c.granted};
-  return {.history = c.wall, .lease = c.leased ? std::optional{wall_lease} : std::nullopt};
+  return {.history = c.wall, .lease = c.leased ? std::optional{suspicion_lease} : std::nullopt};
 }
 
 /// Of time_request and time_grant: the newest supersedes.

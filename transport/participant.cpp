@@ -155,13 +155,14 @@ void Participant::Listener::on_participant_discovery(dds::DomainParticipant*,
                                                      rtps::ParticipantDiscoveryInfo&& info) {
   using Info = rtps::ParticipantDiscoveryInfo;
   if (info.status == Info::REMOVED_PARTICIPANT || info.status == Info::DROPPED_PARTICIPANT) {
-    lost(participant_of(info.info.m_guid.guidPrefix));
+    vigil.lose(participant_of(info.info.m_guid.guidPrefix));
   }
 }
 
-Participant::Participant(NameLock lock, PeerLost lost) : lock_{std::move(lock)} {
-  listener_.lost = lost ? std::move(lost) : [](std::uint32_t) {};
-}
+Participant::Participant(NameLock lock, PeerLost lost)
+    : lock_{std::move(lock)},
+      vigil_{std::move(lost), wall_lease - suspicion_lease},
+      listener_{vigil_} {}
 
 Expected<std::unique_ptr<Participant>, TransportError> Participant::join(const Network& network,
                                                                          std::uint32_t number,
@@ -202,6 +203,7 @@ void Participant::close() {
   if (dds_ == nullptr) return;
   dds_->set_listener(nullptr);
   dds_->delete_contained_entities();
+  vigil_.end();
   dds::DomainParticipantFactory::get_instance()->delete_participant(dds_);
   dds_ = nullptr;
 }

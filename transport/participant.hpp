@@ -7,6 +7,7 @@
 #include "transport/contract.hpp"
 #include "transport/domain_lock.hpp"
 #include "transport/network.hpp"
+#include "transport/vigil.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -35,16 +36,13 @@ struct Origin {
   std::uint64_t sequence;  ///< 1, 2, 3, ... of the topic's writer.
 };
 
-/// Told of each participant that has left, died or gone silent; called from a middleware thread.
-using PeerLost = std::function<void(std::uint32_t participant)>;
-
 /// Samples as they come, from a middleware thread: in order for each instance of a writer only.
 template <class T>
 class Reader final : public dds::DataReaderListener {
  public:
   using Taken = std::function<void(Origin, Received<T>&)>;
 
-  Reader(Taken taken, PeerLost lost) : taken_{std::move(taken)}, lost_{std::move(lost)} {}
+  Reader(Taken taken, Vigil& vigil) : taken_{std::move(taken)}, vigil_{vigil} {}
 
   std::uint32_t matched() const {
     dds::SubscriptionMatchedStatus status;
@@ -58,7 +56,7 @@ class Reader final : public dds::DataReaderListener {
   void on_liveliness_changed(dds::DataReader*, const dds::LivelinessChangedStatus& s) override;
 
   Taken taken_;
-  PeerLost lost_;
+  Vigil& vigil_;
   Received<T> received_;  // samples of one reader are taken by one thread
   dds::DataReader* dds_ = nullptr;
 };
@@ -113,7 +111,8 @@ class Participant {
 
  private:
   struct Listener final : dds::DomainParticipantListener {
-    PeerLost lost;
+    explicit Listener(Vigil& v) : vigil{v} {}
+    Vigil& vigil;
     void on_participant_discovery(
         dds::DomainParticipant*,
         eprosima::fastrtps::rtps::ParticipantDiscoveryInfo&& info) override;
@@ -126,6 +125,7 @@ class Participant {
                               dds::DataReaderListener* listener);
 
   NameLock lock_;
+  Vigil vigil_;
   Listener listener_;
   dds::DomainParticipant* dds_ = nullptr;
   dds::Publisher* publisher_ = nullptr;
@@ -151,9 +151,10 @@ void Reader<T>::on_data_available(dds::DataReader* reader) {
 
 template <class T>
 void Reader<T>::on_liveliness_changed(dds::DataReader*, const dds::LivelinessChangedStatus& s) {
-  if (s.not_alive_count_change <= 0) return;
   const auto guid = eprosima::fastrtps::rtps::iHandle2GUID(s.last_publication_handle);
-  lost_(participant_of(guid.guidPrefix));
+  const std::uint32_t participant = participant_of(guid.guidPrefix);
+  if (s.not_alive_count_change > 0) vigil_.suspect(participant);
+  if (s.alive_count_change > 0) vigil_.hear(participant);
 }
 
 template <class T>
@@ -180,7 +181,7 @@ Writer<T> Participant::writer(const std::string& name, const std::string& type, 
 template <class T>
 Reader<T>& Participant::reader(const std::string& name, const std::string& type, Quality quality,
                                typename Reader<T>::Taken taken) {
-  auto owned = std::make_unique<Reader<T>>(std::move(taken), listener_.lost);
+  auto owned = std::make_unique<Reader<T>>(std::move(taken), vigil_);
   Reader<T>& reader = *owned;
   listeners_.push_back(std::move(owned));
   reader.dds_ =
