@@ -176,6 +176,7 @@ struct StationState {
   std::vector<AgentId> queue;  ///< In order of service.
   std::uint32_t swaps;         ///< Charged packs handed out so far.
   Volume filled;               ///< Mix handed out so far.
+  std::uint32_t open_bays;     ///< Those that are not shut for good.
 };
 
 enum class MissionPhase : std::uint8_t { gathering = 1, flying = 2, finished = 3 };

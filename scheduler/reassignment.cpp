@@ -91,8 +91,45 @@ void SchedulerNode::welcome(Instant now, Outbox& out) {
   if (is_new) share_anew(now, out);
 }
 
-/// Cuts what nobody has begun anew for all, where that ends the mission earlier.
-void SchedulerNode::share_anew(Instant now, Outbox& out) {
+/// What it says of bays that are shut; they are never opened again.
+void SchedulerNode::hear(const StationState& state, Outbox& out) {
+  const auto known = std::find_if(stations_.begin(), stations_.end(),
+                                  [&](const Station& s) { return s.id == state.station; });
+  if (known == stations_.end() || state.open_bays >= known->bays) return;
+  if (state.open_bays == 0 && !shut_.insert(known->id).second) return;
+  known->bays = std::max(state.open_bays, 1U);
+  for (Member& m : members_) {
+    if (m.station.id == known->id) m.station.bays = known->bays;
+  }
+  has_bay_failed_ = true;
+  out.messages.push_back(event("bays_planned", text(node(known->id)) + " has " +
+                                                   std::to_string(state.open_bays) +
+                                                   " bays left to plan with"));
+}
+
+/// Sends what nobody has begun to stations that are open.
+void SchedulerNode::plan_for_failed_bays(Instant now, Outbox& out) {
+  if (phase_ != MissionPhase::flying || !has_bay_failed_) return;
+  has_bay_failed_ = false;
+  if (shut_.size() < stations_.size()) share_anew(now, out, true);
+}
+
+/// The station itself, or the nearest that is open if it is shut; itself if none is.
+const Station& SchedulerNode::haven(const Station& wanted) const {
+  const Station* nearest = &wanted;
+  for (const Station& s : stations_) {
+    if (!shut_.contains(wanted.id) || shut_.contains(s.id)) continue;
+    const bool is_nearer =
+        shut_.contains(nearest->id) ||
+        distance(s.position, wanted.position) < distance(nearest->position, wanted.position);
+    if (is_nearer) nearest = &s;
+  }
+  return *nearest;
+}
+
+/// Plans what nobody has begun anew for all, where that ends the mission earlier.
+/// @param whatever_it_takes  Also where it does not.
+void SchedulerNode::share_anew(Instant now, Outbox& out, bool whatever_it_takes) {
   for (Member& m : members_) {
     if (can_take_more(m, now)) release(m);  // so that what comes next counts as begun
   }
@@ -117,7 +154,8 @@ void SchedulerNode::share_anew(Instant now, Outbox& out) {
     const double kept_s = done_s(revised[who[i]], now);
     done_after_s = std::max(done_after_s, added.sorties.empty() ? kept_s : added.lands_s);
   }
-  if (!shared.nobodys.empty() || done_after_s >= done_before_s) return;
+  const bool is_worth_it = whatever_it_takes || done_after_s < done_before_s;
+  if (!shared.nobodys.empty() || !is_worth_it) return;
   members_ = std::move(revised);
   for (std::size_t i = 0; i < who.size(); ++i) {
     extend(members_[who[i]], std::move(shared.additions[i]), out);
@@ -192,11 +230,11 @@ double SchedulerNode::done_s(const Member& m, Instant now) const {
 /// Done with its list, and served.
 Survivor SchedulerNode::survivor(const Member& m, Instant now) const {
   Survivor s{.vehicle = m.vehicle,
-             .station = m.station,
+             .station = haven(m.station),
              .ready_s = seconds(now.time_since_epoch()).base()};
   if (m.pieces.empty()) return s;
-  s.vehicle.home = m.station.position;
-  s.ready_s = done_s(m, now) + service_time(m.station, true, 1.0).base();
+  s.vehicle.home = s.station.position;
+  s.ready_s = done_s(m, now) + service_time(s.station, true, 1.0).base();
   return s;
 }
 

@@ -33,6 +33,12 @@ std::vector<SeenObstacle> obstacles(const std::vector<KeptObstacle>& kept) {
   return all;
 }
 
+void add_new(std::vector<Station>& stations, const Station& more) {
+  const bool is_known = std::any_of(stations.begin(), stations.end(),
+                                    [&](const Station& s) { return s.id == more.id; });
+  if (!is_known) stations.push_back(more);
+}
+
 bool is_due(const std::optional<Instant>& last, Instant now) {
   return !last || now - *last >= resend_after;
 }
@@ -53,8 +59,8 @@ SchedulerNode::SchedulerNode(SchedulerSettings settings)
   require(settings_.windows_ahead >= 1, "an agent has a window to work on");
   require(number(settings_.epoch) > 0, "an epoch is counted from 1");
   for (const UavPlan& uav : settings_.plan.uavs) {
-    stations_.push_back(uav.station);
-    stations_.insert(stations_.end(), uav.landings.begin(), uav.landings.end());
+    add_new(stations_, uav.station);
+    for (const Station& s : uav.landings) add_new(stations_, s);
     Member m{.agent = uav.vehicle.id,
              .vehicle = uav.vehicle,
              .station = uav.station,
@@ -78,6 +84,7 @@ Outbox SchedulerNode::step(const Inbox& inbox, Instant now) {
     wind_up(out);
     share_out(now, out);
     welcome(now, out);
+    plan_for_failed_bays(now, out);
     if (phase_ == MissionPhase::flying) {
       for (Member& m : members_) direct(m, now, out);
     }
@@ -106,6 +113,7 @@ void SchedulerNode::hear(const Envelope& envelope, Instant now, Outbox& out) {
   if (const auto* ack = std::get_if<CommandAck>(&envelope.body)) hear(*ack, now, out);
   if (const auto* report = std::get_if<WorkReport>(&envelope.body)) hear(*report, now, out);
   if (const auto* seen = std::get_if<ObstacleSeen>(&envelope.body)) hear(*seen, now, out);
+  if (const auto* state = std::get_if<StationState>(&envelope.body)) hear(*state, out);
   if (const auto* order = std::get_if<OperatorOrder>(&envelope.body)) hear(*order, out);
 }
 

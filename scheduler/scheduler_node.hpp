@@ -7,6 +7,7 @@
 #include "scheduler/takeover.hpp"
 
 #include <optional>
+#include <set>
 #include <string_view>
 #include <vector>
 
@@ -45,6 +46,8 @@ struct SchedulerSettings {
 ///
 /// An agent that joins late is not waited for. Once it is heard of, the sorties that nobody has
 /// begun are shared out anew over all, unless the others would be done as early without it.
+///
+/// Where a bay or a station fails, what nobody has begun is planned anew for those that are left.
 ///
 /// An obstacle that an aircraft meets is told to all that still fly or will, by a new revision with
 /// the same work. Where it blocks a strip, the cells beside it are given up, and the rest of the
@@ -93,6 +96,7 @@ class SchedulerNode {
   void hear(const CommandAck& ack, Instant now, Outbox& out);
   void hear(const WorkReport& report, Instant now, Outbox& out);
   void hear(const ObstacleSeen& seen, Instant now, Outbox& out);
+  void hear(const StationState& state, Outbox& out);
   void hear(const OperatorOrder& order, Outbox& out);
 
   // operator_orders.cpp
@@ -118,7 +122,8 @@ class SchedulerNode {
   void abandon(CellRange cells, std::string_view why, Outbox& out);
   void share_out(Instant now, Outbox& out);
   void welcome(Instant now, Outbox& out);
-  void share_anew(Instant now, Outbox& out);
+  void share_anew(Instant now, Outbox& out, bool whatever_it_takes = false);
+  void plan_for_failed_bays(Instant now, Outbox& out);
   std::vector<CellRange> take_back(Member& m, Instant now);
   void revise(Member& m);
   bool can_take_more(const Member& m, Instant now) const;
@@ -129,6 +134,7 @@ class SchedulerNode {
   void cut_blocked(Member& m, std::uint32_t first, Outbox& out);
   Survivor survivor(const Member& m, Instant now) const;
   const Station& station(StationId id) const;
+  const Station& haven(const Station& wanted) const;
   std::vector<CellRange> open_cells(const Member& m) const;
   void finish_if_done(Outbox& out);
   void report_state(Instant now, Outbox& out);
@@ -140,9 +146,11 @@ class SchedulerNode {
 
   SchedulerSettings settings_;
   Ledger ledger_;
-  std::vector<Member> members_;            ///< In order of agent id.
-  std::vector<Station> stations_{};        ///< Where sorties of the plan end.
-  std::vector<CellRange> orphans_{};       ///< Open cells of lost agents, not yet shared out.
+  std::vector<Member> members_;       ///< In order of agent id.
+  std::vector<Station> stations_{};   ///< Where sorties of the plan end, bays as they are left.
+  std::set<StationId> shut_{};        ///< Of these, without a bay.
+  bool has_bay_failed_ = false;       ///< And that is not planned for yet.
+  std::vector<CellRange> orphans_{};  ///< Open cells of lost agents, not yet shared out.
   std::vector<KeptObstacle> obstacles_{};  ///< Met in flight, in the order heard of.
   std::vector<std::uint32_t> losses_;      ///< By strip: agents lost at work on it.
   FleetLevel level_ = FleetLevel::fly;

@@ -47,7 +47,8 @@ StationState SupplyNode::state() const {
                      .bays = {},
                      .queue = {},
                      .swaps = queue_.handed_out().swaps,
-                     .filled = queue_.filled()};
+                     .filled = queue_.filled(),
+                     .open_bays = queue_.open_bays()};
   for (std::uint32_t bay = 1; bay <= settings_.station.bays; ++bay) {
     state.bays.push_back({.bay = bay, .occupied = false, .agent = {}, .token = 0, .ready = {}});
   }

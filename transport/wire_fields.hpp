@@ -231,6 +231,7 @@ void fields(D& d, Seen<D, StationState>& m, fleet::v1::StationState& w) {
   d.sequence(m.queue, w.queue_agents(), [](D& s, auto& agent, std::uint32_t& a) { s(agent, a); });
   d(m.swaps, w.swaps());
   d(m.filled, w.filled_l());
+  d(m.open_bays, w.open_bays());
 }
 
 template <class D>

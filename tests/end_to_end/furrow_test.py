@@ -208,9 +208,10 @@ class Deaths(Furrow):
         self.assertLessEqual(result["stations"][0]["filled_l"], 25)
 
     def test_aircraft_of_a_station_that_fails_go_to_another_by_sim_and_run_alike(self):
-        result, _ = self.flown_alike("station_down.yaml",
+        result, events = self.flown_alike("station_down.yaml",
                                      "at 600.0 s: station 1 shuts bay 1, 0 of 1 are left")
         self.assertEqual(result["faults"][0]["noticed_s"], 600)
+        self.assertIn(b"station 1 has 0 bays left to plan with", events)
         self.assertNotIn(True, [uav["lost"] for uav in result["uavs"]])
 
     def test_sorties_from_one_station_to_another_are_flown_by_sim_and_run_alike(self):

@@ -1,6 +1,7 @@
 #include "scheduler/scheduler_node.hpp"
 
 #include "core/node_host.hpp"
+#include "scheduler/orders.hpp"
 #include "tests/scheduler/fixture.hpp"
 
 #include <catch2/catch.hpp>
@@ -285,6 +286,55 @@ TEST_CASE("scheduler_node: who joins when all is begun, or never, changes nothin
     CHECK(run.states().back().completed);
     for (const auto& [cell, times] : run.sprayed) CHECK(times == 1);
   }
+}
+
+TEST_CASE("scheduler_node: what nobody has begun goes to stations that are open", "[scheduler]") {
+  // Of three sorties each two are granted; the third is to end at a station that fails.
+  SchedulerSettings s = late_joiner();
+  s.plan.uavs.pop_back();
+  const Station east = station(2, 1, at_m(12, 0));
+  for (UavPlan& uav : s.plan.uavs) {
+    uav.station = east;
+    uav.landings = {station(1), east, east};
+  }
+  SchedulerNode scheduler{std::move(s)};
+  std::map<AgentId, Command> last;
+  std::uint64_t seq = 0;
+  const auto tell = [&](NodeId from, Instant now, Body body) {
+    for (const Body& said : scheduler.step({{from, ++seq, now, std::move(body)}}, now).messages) {
+      if (const auto* c = std::get_if<Command>(&said)) last.insert_or_assign(c->agent, *c);
+    }
+  };
+  for (const std::uint32_t id : {1u, 2u}) {
+    tell(node(AgentId{id}), at_s(0), AgentInfo{AgentId{id}, BootId{id}, vehicle(id)});
+  }
+  for (const std::uint32_t id : {1u, 2u}) {
+    AgentState state{};
+    state.agent = AgentId{id};
+    state.boot = BootId{id};
+    state.epoch = Epoch{1};
+    state.revision = 1;
+    state.phase = Phase::spray;
+    tell(node(AgentId{id}), at_s(1), state);
+  }
+  StationState failed{};
+  failed.station = east.id;
+  for (const std::uint32_t open_bays : {1u, 0u, 0u}) {
+    failed.open_bays = open_bays;
+    tell(node(east.id), at_s(2), failed);
+  }
+  REQUIRE(last.size() == 2);
+  std::size_t cells = 0;
+  for (const auto& [agent, command] : last) {
+    CHECK(command.revision == 2);
+    REQUIRE(command.sorties.size() >= 2);
+    CHECK(command.sorties[1].station == east.id);  // begun: it finds another itself
+    for (std::size_t i = 2; i < command.sorties.size(); ++i) {
+      CHECK(command.sorties[i].station == StationId{1});
+    }
+    for (const Piece& piece : pieces(command.sorties)) cells += piece.cells.count;
+  }
+  CHECK(cells == strips * cells_per_strip);
 }
 
 TEST_CASE("scheduler_node: an obstacle is told to all once, with the same work", "[scheduler]") {

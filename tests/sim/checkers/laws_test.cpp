@@ -80,7 +80,12 @@ TEST_CASE("laws: L21 messages of strangers are told once and judged no further",
   }
   SECTION("a station's state") {
     s.say(node(StationId{9}), 6,
-          StationState{.station = StationId{9}, .bays = {}, .queue = {}, .swaps = 0, .filled = {}});
+          StationState{.station = StationId{9},
+                       .bays = {},
+                       .queue = {},
+                       .swaps = 0,
+                       .filled = {},
+                       .open_bays = 1});
   }
   s.say(scheduler_node(), 7, finished(4, 0));
   CHECK(broken_laws(facts(), s) == Laws{"L21"});

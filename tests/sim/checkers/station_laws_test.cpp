@@ -59,7 +59,8 @@ TEST_CASE("laws: L10 a bay held by the dead, L12 a refill counted twice", "[sim]
       .bays = {{.bay = 1, .occupied = true, .agent = one, .token = 1, .ready = at(70)}},
       .queue = {},
       .swaps = 1,
-      .filled = litres(5)};
+      .filled = litres(5),
+      .open_bays = 1};
   SECTION("within lease and grace") {
     s.say(node(StationId{1}), 14.9, state);
     s.say(scheduler_node(), 20, finished(4, 0));
