@@ -1,5 +1,6 @@
 #include "planner/fleet/bound.hpp"
 
+#include "planner/fleet/kinds_bound.hpp"
 #include "planner/fleet/work_bound.hpp"
 
 #include <algorithm>
@@ -89,6 +90,7 @@ namespace {
 
 LowerBound landing_bound(const FleetProblem& problem, double cell_m, const BayBoundSettings& bays) {
   const LowerBound best = std::max({LowerBound{work_bound_s(problem, cell_m), "work"},
+                                    LowerBound{kinds_bound_s(problem, cell_m), "work"},
                                     bay_count_bound(problem), farthest_point_bound(problem)},
                                    is_weaker);
   const double by_bays_s = bay_bound_s(problem, best.makespan_s, bays);
@@ -126,7 +128,7 @@ LowerBound spraying_bound(const FleetProblem& problem, double cell_m,
        home_m = std::max(first_m, 2.0 * home_m)) {
     relaxed.most_home_m = std::min(home_m, longest_m);
     const double work_s =
-        work_bound_s(relaxed, coarser * cell_m) - relaxed.most_home_m / slowest_mps;
+        kinds_bound_s(relaxed, coarser * cell_m) - relaxed.most_home_m / slowest_mps;
     if (work_s <= best_s) continue;
     best_s = work_s;
     best_home_m = relaxed.most_home_m;

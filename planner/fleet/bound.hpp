@@ -21,7 +21,8 @@ LowerBound farthest_point_bound(const FleetProblem& problem);
 /// shortest way to the path and back before and after.
 LowerBound bay_count_bound(const FleetProblem& problem);
 
-/// The greatest of them, of "work" and of "bays", see `work_bound_s` and `bay_bound_s`, and of
+/// The greatest of them, of "work" and of "bays", see `work_bound_s`, `kinds_bound_s` and
+/// `bay_bound_s`, and of
 /// "filling": what the path takes beyond the first tanks has been filled in, the bays side by side.
 ///
 /// Where makespans end with the last spraying, ways home are capped at some length h: no plan

@@ -1,4 +1,5 @@
 #include "planner/fleet/bound.hpp"
+#include "planner/fleet/kinds_bound.hpp"
 #include "planner/fleet/work_bound.hpp"
 #include "tests/planner/fleet/enumerated.hpp"
 #include "tests/planner/fleet/yardsticks.hpp"
@@ -77,6 +78,26 @@ TEST_CASE("no plan of a small case sprays or fills faster than a bound") {
     CHECK(sprayed_s <= best_s + 1e-9);
     p.ends_sprayed = false;
     CHECK(sprayed_s <= best_bound(p).makespan_s);
+  }
+}
+
+TEST_CASE("work is bounded by what each kind of aircraft can do") {
+  // One tank of 100 m and one of 10 m, 200 m of path from (0, 0) along x, 1 m/s, 30 s of service.
+  // If both were as good as the first, the work would be 200 m and one service at 100 m, 200 m of
+  // ways and 200 m home: each half of it. But 10 m at a time cost 30 s each and the ways there, so
+  // the second does little: more than the half is left to the first.
+  FleetProblem p{StripPath{{{at_m(0, 0), at_m(200, 0)}}}, {}, {{at_m(0, 0), 2, 30.0}}};
+  p.fliers.assign(2, {.tank_m = 100, .spray_mps = 1, .ferry_mps = 1, .start = at_m(0, 0)});
+  const double alike_s = kinds_bound_s(p, 0.1);
+  CHECK(alike_s == Approx(work_bound_s(p, 0.1)).margin(35));
+  p.fliers[1].tank_m = 10;
+  CHECK(kinds_bound_s(p, 0.1) > 1.1 * work_bound_s(p, 0.1));
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    CAPTURE(seed);
+    FleetProblem small = enumerated::random_problem(seed);
+    small.depots.front().fill_s = 10.0 * static_cast<double>(seed % 3);
+    const double best_s = enumerated::best_makespan_s(small, enumerated::cuts_apart_m(small, 5));
+    CHECK(kinds_bound_s(small, 0.1) <= best_s + 1e-9);
   }
 }
 
