@@ -199,7 +199,7 @@ constexpr std::uint32_t runs = 3;
 
 /// Sorties that a search may fly.
 std::uint64_t budget_of(const planner::SolveSettings& settings) {
-  constexpr double sorties_per_s = 100'000;
+  constexpr double sorties_per_s = 200'000;
   return static_cast<std::uint64_t>(settings.budget_s * sorties_per_s) + 1;
 }
 
