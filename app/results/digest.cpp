@@ -86,7 +86,9 @@ class Hash {
   void operator()(const ServiceGrant& m) {
     all(m.agent, m.station, m.claim, m.bay, m.token, m.starts, m.ready, m.expires, m.swap, m.fill);
   }
-  void operator()(const StationState& m) { all(m.station, m.bays, m.queue, m.swaps, m.filled, m.open_bays); }
+  void operator()(const StationState& m) {
+    all(m.station, m.bays, m.queue, m.swaps, m.filled, m.open_bays);
+  }
   void operator()(const SchedulerState& m) {
     all(m.epoch, m.phase, m.completed, m.sprayed_cells, m.open_cells, m.abandoned_cells, m.lost);
   }
