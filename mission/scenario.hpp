@@ -71,6 +71,7 @@ struct Scenario {
   Link link;
   Duration agent_lease;       ///< An agent silent for longer is lost.
   Duration mission_limit;     ///< The run is given up after this mission time.
+  Length separation;          ///< Nearer than this two aircraft in the air should not come.
   std::vector<Fault> faults;  ///< In order of time.
   std::vector<Expectation> expectations;
   Source source;

@@ -388,9 +388,10 @@ std::vector<Expectation> read_expectations(const Section& s) {
     const double value = *completed ? 1 : 0;
     expectations.push_back({"completed", value, value});
   }
-  for (const char* key : {"missed_m2", "covered_m2", "repeated_m2", "outside_m2", "makespan_s",
-                          "gap", "non_spray_s", "queue_wait_s", "route_m", "ferry_m",
-                          "flown_outside_m", "outside_at_work_m", "cross_track_rms_m"}) {
+  for (const char* key :
+       {"missed_m2", "covered_m2", "repeated_m2", "outside_m2", "makespan_s", "gap", "non_spray_s",
+        "queue_wait_s", "route_m", "ferry_m", "flown_outside_m", "outside_at_work_m",
+        "cross_track_rms_m", "encounters"}) {
     const Section figure = s.section(key);
     const Expectation e{.key = key,
                         .min = figure.optional_number("min", from_to(0, 1e12), "no limit"),
@@ -406,6 +407,7 @@ std::vector<Expectation> read_expectations(const Section& s) {
 void read_limits(const Section& s, Scenario& out) {
   out.agent_lease = duration(seconds(s.number("agent_lease_s", above_to(1, 3600), 3)));
   out.mission_limit = duration(seconds(s.number("mission_s", from_to(1, 10'000'000), 86'400)));
+  out.separation = metres(s.number("separation_m", above_to(0, 1000), 1));
 }
 
 // Whether reading a part finds nothing wrong with it.

@@ -67,6 +67,8 @@ std::vector<std::pair<std::string, double>> figures(const Result& r) {
       {"deviation.truth.max_m", r.deviation.truth.max_m},
       {"deviation.fix.rms_m", r.deviation.fix.rms_m},
       {"deviation.fix.max_m", r.deviation.fix.max_m},
+      {"separation.encounters", r.separation.encounters},
+      {"separation.near_s", r.separation.near_s},
       {"laws.violations", static_cast<double>(r.violations.size())},
       {"log.messages", static_cast<double>(r.log.messages)},
   };

@@ -154,6 +154,14 @@ struct ExpectationFigures {
   std::string message;  ///< Why it is missed; empty when met.
 };
 
+/// How near two aircraft in the air came to each other.
+struct SeparationFigures {
+  double distance_m;  ///< Of the scenario.
+  std::uint32_t encounters;
+  double near_s;                             ///< Their durations together.
+  std::optional<double> closest_m, first_s;  ///< None without one.
+};
+
 /// What the operator wanted at the end.
 struct OperatorFigures {
   std::string level;  ///< "fly" unless ordered otherwise.
@@ -191,6 +199,7 @@ struct Result {
   double real_time_factor;
   std::vector<FaultFigures> faults;
   OperatorFigures ordered;
+  SeparationFigures separation;
   std::vector<ExpectationFigures> expectations;
 };
 

@@ -205,6 +205,14 @@ Json json(const FaultFigures& f) {
           {"noticed_s", rounded(f.noticed_s)}};
 }
 
+Json json(const SeparationFigures& s) {
+  return {{"distance_m", rounded(s.distance_m)},
+          {"encounters", s.encounters},
+          {"near_s", rounded(s.near_s)},
+          {"closest_m", rounded(s.closest_m)},
+          {"first_s", rounded(s.first_s)}};
+}
+
 Json json(const ExpectationFigures& e) {
   Json all{{"key", e.key}, {"met", e.met}, {"value", rounded(e.value)}};
   if (e.min) all["min"] = rounded(e.min);
@@ -247,6 +255,7 @@ std::string result_json(const Result& r) {
            {"log", {{"messages", r.log.messages}, {"digest", r.log.digest}}},
            {"timing", timing(r)},
            {"faults", list<FaultFigures>(r.faults, json)},
+           {"separation", json(r.separation)},
            {"operator", {{"level", r.ordered.level}, {"taken_out", r.ordered.taken_out}}},
            {"expectations", list<ExpectationFigures>(r.expectations, json)}};
   if (r.survey) all["survey"] = json(*r.survey);

@@ -8,6 +8,7 @@
 #include "app/results/sorties.hpp"
 #include "app/results/sweep_coverage.hpp"
 #include "app/results/ways.hpp"
+#include "sim/checkers/separation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -359,6 +360,22 @@ std::vector<FaultFigures> fault_figures(const MissionRecord& record, const Flown
   return faults;
 }
 
+SeparationFigures separation_figures(const MissionRecord& record, const Flown& flown) {
+  std::vector<std::vector<TrackPoint>> tracks;
+  tracks.reserve(flown.uavs.size());
+  for (const FlownUav& uav : flown.uavs) tracks.push_back(uav.track);
+  const double distance_m = record.scenario.separation.base();
+  const sim::Separation found = sim::separation(tracks, distance_m);
+  SeparationFigures f{.distance_m = distance_m,
+                      .encounters = static_cast<std::uint32_t>(found.encounters.size()),
+                      .near_s = 0,
+                      .closest_m = found.closest_m,
+                      .first_s = {}};
+  for (const sim::Encounter& e : found.encounters) f.near_s += seconds(e.to - e.from).base();
+  if (f.encounters > 0) f.first_s = seconds(found.encounters.front().from).base();
+  return f;
+}
+
 }  // namespace
 
 Result summary(const MissionRecord& record) { return summary(record, flown(record)); }
@@ -408,6 +425,7 @@ Result summary(const MissionRecord& record, const Flown& flown) {
   r.timing = record.timing;
   r.real_time_factor = record.timing.run_wall_s > 0 ? flown.ended_s / record.timing.run_wall_s : 0;
   r.faults = fault_figures(record, flown);
+  r.separation = separation_figures(record, flown);
   r.ordered.level = furrow::name(flown.ordered.level);
   for (const AgentId agent : flown.ordered.taken_out) r.ordered.taken_out.push_back(number(agent));
   r.expectations = judged(record.scenario.expectations, r);

@@ -83,6 +83,15 @@ std::string work_done(const Result& r) {
   return lines;
 }
 
+// Empty where nobody came near to anybody.
+std::string separation_row(const SeparationFigures& s) {
+  if (s.encounters == 0) return {};
+  return fmt::format(
+      "two aircraft nearer than {:.1f} m {} times, {:.0f} s in all, the nearest {:.2f} m, first at "
+      "{:.1f} s\n",
+      s.distance_m, s.encounters, s.near_s, *s.closest_m, *s.first_s);
+}
+
 }  // namespace
 
 std::string summary_table(const Result& r) {
@@ -99,6 +108,7 @@ std::string summary_table(const Result& r) {
       r.survey ? "visit" : "cell", r.fleet.makespan_s / 60, r.fleet.planned_makespan_s / 60,
       bound(r.fleet), r.solver.returns, distance_to_bound(r.solver));
   if (r.solver.yardsticks) table += yardstick_row(*r.solver.yardsticks);
+  table += separation_row(r.separation);
   for (const ExpectationFigures& e : r.expectations) {
     if (!e.met) table += cut("missed: " + e.message);
   }

@@ -220,12 +220,18 @@ TEST_CASE("survival: an agent's process that is killed or frozen is noticed with
   }
 }
 
+std::unique_ptr<transport::Participant> joined(const transport::Network& network,
+                                               std::uint32_t number) {
+  auto participant = transport::Participant::join(network, number, transport::TimeMode::wall, {});
+  require(participant.has_value(), "a domain of one's own has room");
+  return std::move(*participant);
+}
+
 /// A participant of agents that says nothing but that it is alive, as often as it can.
 class Insister {
  public:
   Insister(const transport::Network& network, std::uint32_t number)
-      : participant_{std::move(
-            *transport::Participant::join(network, number, transport::TimeMode::wall, {}))},
+      : participant_{joined(network, number)},
         topics_{*participant_,  transport::role::agents,
                 false,          transport::TimeMode::wall,
                 BootId{number}, [](transport::Origin, std::size_t, std::optional<Envelope>) {}} {
