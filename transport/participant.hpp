@@ -153,8 +153,12 @@ template <class T>
 void Reader<T>::on_liveliness_changed(dds::DataReader*, const dds::LivelinessChangedStatus& s) {
   const auto guid = eprosima::fastrtps::rtps::iHandle2GUID(s.last_publication_handle);
   const std::uint32_t participant = participant_of(guid.guidPrefix);
-  if (s.not_alive_count_change > 0) vigil_.suspect(participant);
-  if (s.alive_count_change > 0) vigil_.hear(participant);
+  // A return while a lapse is still being told cancels out to no change at all.
+  if (s.not_alive_count_change > 0) {
+    vigil_.suspect(participant);
+  } else {
+    vigil_.hear(participant);
+  }
 }
 
 template <class T>

@@ -18,9 +18,9 @@ using PeerLost = std::function<void(std::uint32_t participant)>;
 /// again or are lost.
 ///
 /// The middleware keeps one timer for the leases of all writers, and marks whose turn it is when
-/// the timer fires without a look at the time. Where a writer's word and another's expiry meet, the
-/// timer fires once more and the next in turn is marked, which lives. It is marked alive again by
-/// its next word.
+/// the timer fires, without a look at the time. Where a dead participant is dropped at the moment
+/// at which the lease of its writer runs out, the writer is gone before the timer fires, and the
+/// next in turn is marked, which lives. It is marked alive again by its next word.
 class Vigil {
  public:
   /// @param patience  Longer than between two words of one who lives.
