@@ -32,7 +32,11 @@ struct FleetProblem {
 Expected<planner::FerryMap, planner::PlanError> ferry_map(const FleetProblem& problem);
 
 /// Plans the mission: covers the field, cuts the route into shares that are predicted to be done at
-/// the same time, gives each aircraft a station and chooses the return points.
+/// the same time, gives each aircraft a station and chooses the return points. With several
+/// aircraft or stations, by `joint` or `gsa` and but for surveys, the joint search begins with that
+/// plan. What it finds is taken if its forecast is faster: sorties from anywhere on the route, each
+/// to a station of its own (see joint_plan). The plan's route then has the cells in the order
+/// flown.
 ///
 /// Without a work direction, the swath model searches its own over the whole circle; of the grid,
 /// 0, 90, 180 and 270 degrees are drafted and the one with the smallest forecast makespan is

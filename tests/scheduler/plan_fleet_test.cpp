@@ -1,5 +1,6 @@
 #include "scheduler/plan_fleet.hpp"
 
+#include "core/random.hpp"
 #include "planner/coverage/swath/swath.hpp"
 #include "planner/returns/simple.hpp"
 #include "planner/returns/unplanned.hpp"
@@ -118,6 +119,36 @@ TEST_CASE("plan_fleet: no worse than all aircraft unplanned, and than all simple
   CHECK(plan->makespan_s <= makespan_s(*plan, p.stations, [](const auto& share) {
                               return planner::simple_plan(share);
                             }) + 1e-9);
+}
+
+TEST_CASE("plan_fleet: sorties chosen jointly are no slower than what they were chosen from",
+          "[scheduler]") {
+  Random random{1};
+  for (int n = 0; n < 12; ++n) {
+    CAPTURE(n);
+    const auto uavs = static_cast<std::uint32_t>(2 + random.below(3));
+    FleetProblem p = problem(random.uniform(20, 60), random.uniform(60, 200), uavs);
+    p.stations.push_back(station(2, 1, at_m(random.uniform(0, 60), -10)));
+    for (Vehicle& v : p.vehicles) v.spray_endurance = seconds(random.uniform(60, 200));
+    p.solver.returns = n % 3 == 0 ? ReturnStrategy::gsa : ReturnStrategy::joint;
+    p.solver.budget_s = 0.2;
+    const auto plan = plan_fleet(p);
+    REQUIRE(plan);
+    REQUIRE(plan->yardsticks);
+    CHECK(plan->makespan_s <= plan->yardsticks->shares_s);
+    CHECK(plan->makespan_s <= plan->yardsticks->till_empty_s.value_or(1e9));
+    CHECK(plan->makespan_s <= plan->yardsticks->simple_s.value_or(1e9));
+    CHECK(plan->lower_bound_s > 0);
+    CHECK(plan->lower_bound_s <= plan->makespan_s);
+    CHECK_FALSE(plan->bound.empty());
+    std::uint32_t next = 0;
+    for (const UavPlan& u : plan->uavs) {
+      CHECK(u.cells.first == next);
+      next = end(u.cells);
+      CHECK((u.landings.empty() || u.landings.size() == u.visits.size() + 1));
+    }
+    CHECK(next == plan->route.centers.size());
+  }
 }
 
 TEST_CASE("plan_fleet: ferries of a walk lead around what lies between its cells", "[scheduler]") {
