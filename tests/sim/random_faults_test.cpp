@@ -226,22 +226,27 @@ void fly_random_orders(std::uint64_t first_seed, std::uint64_t runs) {
 }
 
 TEST_CASE("random faults: what the operator orders loses no cell and sprays none twice", "[sim]") {
-  fly_random_orders(1, 300);
+  fly_random_orders(1, 100);
 }
 
 TEST_CASE("random faults: what lost aircraft leave is sprayed once, by the others", "[sim]") {
-  fly_random_faults(1, 300);
+  fly_random_faults(1, 100);
 }
 
 TEST_CASE("random faults: who joins late sprays nothing twice and leaves nothing out", "[sim]") {
-  fly_random_joins(1, 60);
+  fly_random_joins(1, 20);
 }
 
 TEST_CASE("random faults: stations that fail or run out leave no cell unaccounted for", "[sim]") {
   fly_random_shortages(1, 100);
 }
 
-TEST_CASE("a thousand random fault runs", "[.][sim]") { fly_random_faults(1001, 1000); }
+TEST_CASE("a thousand random fault runs of every kind", "[.][sim]") {
+  fly_random_faults(1001, 400);
+  fly_random_orders(1001, 300);
+  fly_random_shortages(1001, 200);
+  fly_random_joins(1001, 100);
+}
 
 }  // namespace
 }  // namespace furrow::sim
