@@ -33,9 +33,10 @@ struct Address {
 // A name in the abstract name space, which begins with a zero byte: too short for a whole path.
 Address address(const std::filesystem::path& folder) {
   std::error_code unknown;
-  const auto whole = std::filesystem::weakly_canonical(folder, unknown);
+  const auto absolute = std::filesystem::absolute(folder, unknown);  // which need not exist yet
+  const auto whole = std::filesystem::weakly_canonical(absolute, unknown);
   const std::string name =
-      fmt::format("furrow-operate-{:016x}", hash((unknown ? folder : whole).string()));
+      fmt::format("furrow-operate-{:016x}", hash((unknown ? absolute : whole).string()));
   Address address{};
   address.at.sun_family = AF_UNIX;
   std::memcpy(address.at.sun_path + 1, name.data(), name.size());

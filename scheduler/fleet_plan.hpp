@@ -56,7 +56,7 @@ struct FleetPlan {
   std::vector<UavPlan> uavs;                     ///< In order of id.
   double makespan_s;     ///< Forecast mission time at which the last cell is sprayed.
   double lower_bound_s;  ///< No plan of this route is done earlier at constant speeds.
-  std::string bound{};   ///< What holds the fleet up by that bound; empty if nothing is known.
+  std::string bound{};   ///< What holds the fleet up by that bound; empty if none is known: 0.
   std::optional<Yardsticks> yardsticks{};  ///< Where sorties were chosen jointly.
 };
 

@@ -42,16 +42,6 @@ std::vector<CellRange> runs_of(const std::vector<CellSortie>& list) {
   return runs;
 }
 
-/// Marks strips that are the rest of one that another sortie begins.
-void join_rests(planner::Route& route, const std::vector<std::uint32_t>& cells,
-                const planner::Route& whole) {
-  for (planner::Strip& strip : route.strips) {
-    const std::uint32_t first = cells[strip.cells.first];
-    const bool is_rest = whole.strips[planner::strip_of(whole, first)].cells.first < first;
-    if (is_rest) strip.joins = whole.centers[first - 1];
-  }
-}
-
 FlownRoute flown_route(const planner::Route& whole, const SortieLists& lists) {
   std::vector<CellRange> runs;
   for (const auto& list : lists) {
@@ -61,7 +51,6 @@ FlownRoute flown_route(const planner::Route& whole, const SortieLists& lists) {
   FlownRoute flown{.order = remnant(whole, runs), .shares = {}};
   planner::Route& route = flown.order.route;
   route.missed = whole.missed;
-  join_rests(route, flown.order.cells, whole);
   std::uint32_t cell = 0, strip = 0;
   for (const auto& list : lists) {
     Share share{.cells = {cell, 0}, .strips = {strip, 0}, .returns = {}};

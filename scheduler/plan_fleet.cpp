@@ -333,6 +333,13 @@ std::optional<PlanError> terrain_fault(const planner::Relief& relief, const Ring
   return std::nullopt;
 }
 
+// Bounds count corners as sharp, and walks of a grid cut them with the valve open. A plan below a
+// bound refutes it.
+void forget_bound(FleetPlan& plan) {
+  plan.lower_bound_s = 0.0;
+  plan.bound.clear();
+}
+
 }  // namespace
 
 Expected<planner::FerryMap, PlanError> ferry_map(const FleetProblem& problem) {
@@ -402,7 +409,7 @@ Expected<FleetPlan, PlanError> plan_fleet(const FleetProblem& problem) {
     plan.uavs = planned_shares(problem, s, *found);
     plan.route = std::move(s.coverage.route);
   }
-  plan.lower_bound_s = std::min(plan.lower_bound_s, plan.makespan_s);
+  if (plan.lower_bound_s > (1 + 1e-9) * plan.makespan_s) forget_bound(plan);
   for (const Vehicle& vehicle : problem.joining) {
     plan.uavs.push_back(without_share(vehicle, problem.stations));
   }

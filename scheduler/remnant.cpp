@@ -16,7 +16,7 @@ planner::Strip cut(const planner::Route& whole, const planner::Strip& strip, Cel
   left.begin = planner::start_point(whole, strip, cells.first);
   left.end = planner::stop_point(whole, strip, end(cells) - 1);
   left.continues = false;
-  if (cells.first > strip.cells.first) left.joins.reset();
+  if (cells.first > strip.cells.first) left.joins = whole.centers[cells.first - 1];
   left.approach.clear();
   left.approach_altitudes_m.clear();
   return left;

@@ -41,7 +41,6 @@ std::vector<std::pair<std::string, double>> figures(const Result& r) {
       {"fleet.makespan_s", r.fleet.makespan_s},
       {"fleet.planned_makespan_s", r.fleet.planned_makespan_s},
       {"fleet.lower_bound_s", r.fleet.lower_bound_s},
-      {"fleet.gap", r.fleet.gap},
       {"fleet.spray_s", r.fleet.spray_s},
       {"fleet.non_spray_s", r.fleet.non_spray_s},
       {"fleet.queue_wait_s", r.fleet.queue_wait_s},
@@ -77,6 +76,7 @@ std::vector<std::pair<std::string, double>> figures(const Result& r) {
     all.emplace_back("survey.visited", r.survey->visited);
     all.emplace_back("survey.uncertain", r.survey->uncertain);
   }
+  if (r.fleet.gap) all.emplace_back("fleet.gap", *r.fleet.gap);
   if (r.solver.gap) all.emplace_back("solver.gap", *r.solver.gap);
   return all;
 }

@@ -43,8 +43,8 @@ struct FleetFigures {
   double makespan_s;  ///< Mission time of the last sprayed cell.
   double planned_makespan_s;
   double lower_bound_s;
-  std::string bound;  ///< What holds the fleet up by that bound; empty if nothing is known.
-  double gap;         ///< makespan / lower bound - 1.
+  std::string bound;          ///< What holds the fleet up by that bound; empty if nothing is known.
+  std::optional<double> gap;  ///< makespan / lower bound - 1, of completed missions with a bound.
   double spray_s, non_spray_s, queue_wait_s;
   double route_m;  ///< At work: strips and the connections between them, sortie by sortie.
   double ferry_m;

@@ -259,7 +259,7 @@ FleetFigures fleet_figures(const MissionRecord& record, const Flown& flown, cons
   f.planned_makespan_s = record.plan.makespan_s;
   f.lower_bound_s = record.plan.lower_bound_s;
   f.bound = record.plan.bound;
-  f.gap = gap_above(f.makespan_s, f.lower_bound_s).value_or(0);
+  if (result.completed) f.gap = gap_above(f.makespan_s, f.lower_bound_s);
   for (const UavFigures& uav : result.uavs) {
     f.spray_s += uav.spray_s;
     f.non_spray_s += uav.non_spray_s;

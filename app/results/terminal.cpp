@@ -23,8 +23,8 @@ std::string state(const Result& r) {
 }
 
 std::string bound(const FleetFigures& f) {
-  const std::string name = f.bound.empty() ? "" : fmt::format(" ({})", f.bound);
-  return fmt::format("{:.2f}{}", f.lower_bound_s / 60, name);
+  if (f.bound.empty()) return "no bound known";
+  return fmt::format("no plan below {:.2f} ({})", f.lower_bound_s / 60, f.bound);
 }
 
 std::string minutes_or_none(std::optional<double> s) {
@@ -103,7 +103,7 @@ std::string summary_table(const Result& r) {
                          r.datum->lat_deg, r.datum->lon_deg);
   }
   table += fmt::format(
-      "last {} {:.2f} min, planned {:.2f}, no plan below {}; returns by {}: "
+      "last {} {:.2f} min, planned {:.2f}, {}; returns by {}: "
       "{}\n",
       r.survey ? "visit" : "cell", r.fleet.makespan_s / 60, r.fleet.planned_makespan_s / 60,
       bound(r.fleet), r.solver.returns, distance_to_bound(r.solver));

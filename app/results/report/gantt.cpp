@@ -172,7 +172,8 @@ std::string picture(const std::vector<Row>& rows, const Scale& scale, const Flee
     draw_row(svg, scale, row, y);
     y += scale.row_height;
   }
-  draw_mark(svg, scale, height, fleet.lower_bound_s, "no plan ends earlier", "end", 0, "2 3");
+  if (fleet.lower_bound_s > 0)
+    draw_mark(svg, scale, height, fleet.lower_bound_s, "no plan ends earlier", "end", 0, "2 3");
   draw_mark(
       svg, scale, height, fleet.makespan_s,
       fmt::format("work {} {:.1f}", is_flown ? "ended" : "planned to end", fleet.makespan_s / 60),

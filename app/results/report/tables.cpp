@@ -29,6 +29,7 @@ std::string card(std::string_view label, const std::string& value, const std::st
 }
 
 std::string makespan_note(const Result& r) {
+  if (r.mode == Mode::plan && !(r.fleet.lower_bound_s > 0)) return "no bound known";
   if (r.mode == Mode::plan) return "at best " + minutes(r.fleet.lower_bound_s) + " min";
   const double planned_s = r.fleet.planned_makespan_s;
   const double off = planned_s > 0 ? 100 * (r.fleet.makespan_s / planned_s - 1) : 0;
