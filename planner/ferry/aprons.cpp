@@ -73,6 +73,27 @@ LandParts apron(PointM stand, const LandParts& land) {
   return {disc};
 }
 
+LandParts with_necks(const LandParts& flight, const LandParts& land, const LandParts& taken,
+                     double margin_m) {
+  LandParts joined = flight;
+  for (const double share : {0.5, 0.25, 0.1, 0.01}) {
+    if (joined.size() < 2) break;
+    const LandParts wide = subtracted(offset(land, -share * margin_m), taken);
+    const double gap_m = (1 - share) * margin_m + overlap_m;
+    // Grown back, the parts are all of `wide` but for necks.
+    for (const LandPart& neck : subtracted(wide, offset(flight, gap_m))) {
+      const LandParts grown = offset({neck}, gap_m + overlap_m);
+      LandParts more = joined;
+      for (LandPart& part : subtracted(wide, subtracted(wide, grown))) {
+        more.push_back(std::move(part));
+      }
+      more = united(more);
+      if (more.size() < joined.size()) joined = std::move(more);
+    }
+  }
+  return joined;
+}
+
 LandParts bridges(const LandParts& land, const LandParts& taken) {
   LandParts made;
   std::vector<std::size_t> joined{0}, apart;

@@ -100,7 +100,7 @@ Expected<FerryMap, PlanError> FerryMap::over(const Field& field, const FerryRule
                                              std::span<const FieldPoint> stands) {
   const auto land = field_land(field, rule.margin, rule.hole_buffer);
   if (!land) return Unexpected{land.error()};
-  LandParts open = land->flight;
+  LandParts open = with_necks(land->flight, land->land, land->taken, rule.margin.base());
   for (const FieldPoint stand : stands) {
     const PointM place = PointM{stand.x.base(), stand.y.base()} - land->origin;
     if (is_within(land->taken, place)) {

@@ -23,9 +23,10 @@ struct FerryRule {
 /// way is straight.
 ///
 /// A stand outside the land (a station, a home) has an apron: the ground around it half as far
-/// again as the land is away, less holes and obstacles. Parts of a split field are joined where
-/// they come nearest to each other. So no way is over foreign land but from such a stand and across
-/// such a gap.
+/// again as the land is away, less holes and obstacles. Parts of a split field are joined through
+/// necks of its land, nearer to the edges than the margin; where there are none, where parts come
+/// nearest to each other. So no way is over foreign land but from such a stand and across such a
+/// gap.
 ///
 /// Bends are moved away from the corner that they pass, so that an aircraft that rounds them off
 /// still leaves the corner outside.

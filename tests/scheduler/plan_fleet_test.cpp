@@ -194,6 +194,9 @@ TEST_CASE("plan_fleet: ways between parts of a split field lead around obstacles
     way.insert(way.end(), strip.approach.begin(), strip.approach.end());
     way.push_back(strip.begin);
     between_parts += before.end.x < metres(150) && strip.begin.x > metres(150);
+    const auto outside = planner::length_outside(p.field, {way}, metres(0.01));
+    REQUIRE(outside);
+    CHECK(*outside == Length{});
     for (std::size_t k = 1; k < way.size(); ++k) {
       for (double share = 0; share <= 1; share += 0.01) {
         const FieldPoint at = way[k - 1] + FieldVector{share * (way[k] - way[k - 1]).x,

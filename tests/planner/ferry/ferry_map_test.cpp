@@ -2,6 +2,7 @@
 
 #include "core/random.hpp"
 #include "planner/coverage/geos.hpp"
+#include "planner/coverage/swath/swath.hpp"
 #include "planner/ferry/bends.hpp"
 
 #include <catch2/catch.hpp>
@@ -82,7 +83,7 @@ TEST_CASE("a station outside has an apron and reaches the field by it") {
   CHECK(map->length(at_m(75, -10), at_m(150, 1)).base() > std::hypot(75, 11) + 0.1);
 }
 
-TEST_CASE("parts that a margin splits are joined where they are nearest") {
+TEST_CASE("parts that a margin splits are joined through the neck between them") {
   // Two squares and a neck of 4 m between them, gone under a margin of 3 m.
   const Field field{.boundary = {at_m(0, 0), at_m(50, 0), at_m(50, 23), at_m(70, 23), at_m(70, 0),
                                  at_m(120, 0), at_m(120, 50), at_m(70, 50), at_m(70, 27),
@@ -92,9 +93,25 @@ TEST_CASE("parts that a margin splits are joined where they are nearest") {
   const std::vector<FieldPoint> stands{at_m(25, 25)};
   const auto map = FerryMap::over(field, {.margin = metres(3)}, stands);
   REQUIRE(map);
-  const double length_m = map->length(at_m(25, 25), at_m(95, 25)).base();
-  CHECK(length_m >= 70);
-  CHECK(length_m <= 70 + 2 * 22);
+  CHECK(map->length(at_m(25, 25), at_m(95, 25)).base() == Approx(70));
+  const auto outside = length_outside(field, {map->way(at_m(25, 5), at_m(95, 5))}, metres(1e-3));
+  REQUIRE(outside);
+  CHECK(*outside == Length{});
+}
+
+TEST_CASE("parts that a margin splits and no neck joins are joined where they are nearest") {
+  // A neck of 4 m, and all across it a wall of which flight keeps clear by 3 m.
+  const Field field{.boundary = {at_m(0, 0), at_m(50, 0), at_m(50, 23), at_m(70, 23), at_m(70, 0),
+                                 at_m(120, 0), at_m(120, 50), at_m(70, 50), at_m(70, 27),
+                                 at_m(50, 27), at_m(50, 50), at_m(0, 50)},
+                    .holes = {{at_m(59, 22), at_m(61, 22), at_m(61, 28), at_m(59, 28)}},
+                    .obstacles = {}};
+  const std::vector<FieldPoint> stands{at_m(25, 25)};
+  const auto map = FerryMap::over(field, {.margin = metres(3)}, stands);
+  REQUIRE(map);
+  // Past the end of the wall, 3 m beyond 22 or 28, and straight over foreign land.
+  CHECK(map->length(at_m(25, 25), at_m(95, 25)).base() >= 2 * std::hypot(35, 6) - 1);
+  CHECK(map->length(at_m(25, 25), at_m(95, 25)).base() <= 70 + 2 * 22);
 }
 
 TEST_CASE("a station in an obstacle is refused by name of its place") {
