@@ -300,6 +300,20 @@ class Judge {
 
 }  // namespace
 
+std::vector<CellSortie> sorties_of(CellRange share, const planner::Returns& returns,
+                                   std::uint32_t station) {
+  std::vector<CellSortie> list;
+  if (share.count == 0) return list;
+  std::uint32_t first = share.first;
+  const auto add = [&](std::uint32_t stop) {
+    list.push_back({.cells = {first, stop - first}, .station = station});
+    first = stop;
+  };
+  for (const std::uint32_t last : returns) add(share.first + last + 1);
+  add(end(share));
+  return list;
+}
+
 SortieLists cell_sorties(const planner::Route& route, const fleet::FleetProblem& model,
                          const fleet::FleetSorties& sorties) {
   std::vector<std::size_t> order;

@@ -20,6 +20,10 @@ struct CellSortie {
   std::uint32_t station;  ///< Where it ends, as an index.
 };
 
+/// A share flown with these returns, every sortie to one station; none of an empty share.
+std::vector<CellSortie> sorties_of(CellRange share, const planner::Returns& returns,
+                                   std::uint32_t station);
+
 /// By aircraft, in the order flown.
 using SortieLists = std::vector<std::vector<CellSortie>>;
 

@@ -258,15 +258,8 @@ MakespanBound lower_bound(const FleetProblem& problem, const Sketch& s, const So
 SortieLists lists_of(const Sketch& s, const Solved& found) {
   SortieLists lists(found.shares.size());
   for (std::size_t u = 0; u < lists.size(); ++u) {
-    const CellRange cells = cells_of(s.coverage.route, found.shares[u].strips);
-    std::uint32_t first = cells.first;
-    const auto add = [&](std::uint32_t stop) {
-      lists[u].push_back({.cells = {first, stop - first}, .station = found.shares[u].station});
-      first = stop;
-    };
-    for (const std::uint32_t last : found.returns.solutions[u].plan.returns)
-      add(cells.first + last + 1);
-    if (cells.count > 0) add(end(cells));
+    lists[u] = sorties_of(cells_of(s.coverage.route, found.shares[u].strips),
+                          found.returns.solutions[u].plan.returns, found.shares[u].station);
   }
   return lists;
 }
@@ -335,9 +328,18 @@ std::optional<PlanError> terrain_fault(const planner::Relief& relief, const Ring
 
 // Bounds count corners as sharp, and walks of a grid cut them with the valve open. A plan below a
 // bound refutes it.
-void forget_bound(FleetPlan& plan) {
+void forget_refuted_bound(FleetPlan& plan) {
+  if (plan.lower_bound_s <= (1 + 1e-9) * plan.makespan_s) return;
   plan.lower_bound_s = 0.0;
   plan.bound.clear();
+}
+
+void add_joining(FleetPlan& plan, const FleetProblem& problem) {
+  for (const Vehicle& vehicle : problem.joining) {
+    plan.uavs.push_back(without_share(vehicle, problem.stations));
+  }
+  std::sort(plan.uavs.begin(), plan.uavs.end(),
+            [](const UavPlan& a, const UavPlan& b) { return a.vehicle.id < b.vehicle.id; });
 }
 
 }  // namespace
@@ -409,12 +411,8 @@ Expected<FleetPlan, PlanError> plan_fleet(const FleetProblem& problem) {
     plan.uavs = planned_shares(problem, s, *found);
     plan.route = std::move(s.coverage.route);
   }
-  if (plan.lower_bound_s > (1 + 1e-9) * plan.makespan_s) forget_bound(plan);
-  for (const Vehicle& vehicle : problem.joining) {
-    plan.uavs.push_back(without_share(vehicle, problem.stations));
-  }
-  std::sort(plan.uavs.begin(), plan.uavs.end(),
-            [](const UavPlan& a, const UavPlan& b) { return a.vehicle.id < b.vehicle.id; });
+  forget_refuted_bound(plan);
+  add_joining(plan, problem);
   return plan;
 }
 

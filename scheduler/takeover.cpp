@@ -95,19 +95,6 @@ struct Planned {
   std::vector<CellSortie> list;  ///< The same, in cells of what is left.
 };
 
-std::vector<CellSortie> list_of(CellRange cells, const planner::Returns& returns,
-                                std::uint32_t station) {
-  std::vector<CellSortie> list;
-  std::uint32_t first = cells.first;
-  const auto add = [&](std::uint32_t stop) {
-    list.push_back({.cells = {first, stop - first}, .station = station});
-    first = stop;
-  };
-  for (const std::uint32_t last : returns) add(cells.first + last + 1);
-  add(end(cells));
-  return list;
-}
-
 /// The share as sorties; none where the survivor cannot fly it.
 std::optional<Planned> planned(const Desk& desk, std::size_t u, const Share& share) {
   const Survivor& survivor = desk.survivors[u];
@@ -137,7 +124,7 @@ std::optional<Planned> planned(const Desk& desk, std::size_t u, const Share& sha
   return Planned{.addition = {.sorties = renumbered(orders(route, uav), desk.left.cells),
                               .lands_s = survivor.ready_s + flight_s(flown),
                               .station = survivor.station},
-                 .list = list_of(problem.cells, uav.solution.plan.returns, station)};
+                 .list = sorties_of(problem.cells, uav.solution.plan.returns, station)};
 }
 
 /// All shares as sorties; nothing once a survivor proves unable, which the desk then knows.

@@ -30,11 +30,29 @@ std::vector<fs::path> earlier_missions(const fs::path& folder, exchange::Mission
   return files;
 }
 
-bool is_narrow_somewhere(const Missions& missions) {
+// Makes the folder, without earlier missions of this format. @return What prevents it, or nothing.
+std::string cleared(const fs::path& folder, exchange::MissionFormat format) {
+  std::error_code fault;
+  fs::create_directories(folder, fault);
+  for (const fs::path& earlier : earlier_missions(folder, format)) {
+    if (!fs::remove(earlier, fault)) {
+      return fmt::format("{}: an earlier export that cannot be removed", earlier.string());
+    }
+  }
+  return {};
+}
+
+void warn_of_narrow_rows(const Missions& missions, const std::string& format) {
   const auto is_narrow = [](const exchange::TrackPoint& p) { return p.width > Length{}; };
-  return std::any_of(missions.sorties.begin(), missions.sorties.end(), [&](const auto& track) {
-    return std::any_of(track.points.begin(), track.points.end(), is_narrow);
-  });
+  const bool has_any =
+      std::any_of(missions.sorties.begin(), missions.sorties.end(), [&](const auto& track) {
+        return std::any_of(track.points.begin(), track.points.end(), is_narrow);
+      });
+  if (!has_any) return;
+  fmt::print(stderr,
+             "furrow: warning: some rows are sprayed with a part of the boom; {} does not tell "
+             "how wide (geojson and csv do)\n",
+             format);
 }
 
 }  // namespace
@@ -61,19 +79,8 @@ int export_missions(const Options& options) {
 
   const fs::path target =
       options.out.empty() ? fs::path{options.folder} / "export" : fs::path{options.out};
-  std::error_code fault;
-  fs::create_directories(target, fault);
-  for (const fs::path& earlier : earlier_missions(target, *format)) {
-    if (!fs::remove(earlier, fault)) {
-      return refused(fmt::format("{}: an earlier export that cannot be removed", earlier.string()));
-    }
-  }
-  if (!exchange::tells_width(*format) && is_narrow_somewhere(*missions)) {
-    fmt::print(stderr,
-               "furrow: warning: some rows are sprayed with a part of the boom; {} does not tell "
-               "how wide (geojson and csv do)\n",
-               options.format);
-  }
+  if (const std::string fault = cleared(target, *format); !fault.empty()) return refused(fault);
+  if (!exchange::tells_width(*format)) warn_of_narrow_rows(*missions, options.format);
   const exchange::LocalFrame frame{*missions->datum};
   for (const exchange::SortieTrack& track : missions->sorties) {
     const fs::path path = target / exchange::file_name(track, *format);

@@ -43,6 +43,22 @@ void open_desk(std::optional<OperatorDesk>& desk, const Options& options,
   }
 }
 
+// All but what the processes and the operator have to say in it.
+transport::DirectorSettings director_settings(const Options& options,
+                                              const mission::Scenario& scenario,
+                                              const transport::Network& network) {
+  transport::DirectorSettings settings{.network = network,
+                                       .members = {},
+                                       .latency = scenario.link.latency,
+                                       .mission_limit = Instant{scenario.mission_limit}};
+  if (options.pace.kind == Pace::Kind::times_real) settings.pace = options.pace.factor;
+  if (options.pace.kind == Pace::Kind::wall) {
+    settings.epoch_realtime_ns =
+        realtime_ns(std::chrono::system_clock::now() + std::chrono::seconds{options.start_in_s});
+  }
+  return settings;
+}
+
 }  // namespace
 
 int run(const Options& options) {
@@ -57,16 +73,7 @@ int run(const Options& options) {
         .stations = static_cast<std::uint32_t>(scenario.stations.size()),
         .interface = options.interface};
 
-    transport::DirectorSettings settings{.network = network,
-                                         .members = {},
-                                         .latency = scenario.link.latency,
-                                         .mission_limit = Instant{scenario.mission_limit}};
-    if (options.pace.kind == Pace::Kind::times_real) settings.pace = options.pace.factor;
-    if (options.pace.kind == Pace::Kind::wall) {
-      settings.epoch_realtime_ns =
-          realtime_ns(std::chrono::system_clock::now() + std::chrono::seconds{options.start_in_s});
-    }
-
+    transport::DirectorSettings settings = director_settings(options, scenario, network);
     auto processes = FleetProcesses::start(options, scenario, settings);
     if (!processes) return Unexpected{processes.error()};
     for (const std::string& command : processes->commands_elsewhere()) {

@@ -376,6 +376,28 @@ SeparationFigures separation_figures(const MissionRecord& record, const Flown& f
   return f;
 }
 
+std::vector<UavFigures> uav_figures(const MissionRecord& record, const Flown& flown) {
+  const bool is_flown = record.mode != Mode::plan;
+  const std::vector<double> shares = cell_shares(record.plan.route);
+  std::vector<UavFigures> all;
+  all.reserve(record.plan.uavs.size());
+  for (std::size_t i = 0; i < record.plan.uavs.size(); ++i) {
+    const scheduler::UavPlan& uav = record.plan.uavs[i];
+    const std::span<const double> flown_shares{shares.data() + uav.cells.first, uav.cells.count};
+    const double area_m2 = sum(flown_shares) * cell_area_m2(record);
+    all.push_back(is_flown ? flown_figures(flown.uavs[i], uav, record.scenario.stations, area_m2)
+                           : planned_figures(record.plan.route, uav, area_m2));
+    all.back().lost = is_flown && flown.lost.contains(uav.vehicle.id);
+  }
+  return all;
+}
+
+OperatorFigures ordered_figures(const Flown& flown) {
+  OperatorFigures ordered{.level = std::string{furrow::name(flown.ordered.level)}, .taken_out = {}};
+  for (const AgentId agent : flown.ordered.taken_out) ordered.taken_out.push_back(number(agent));
+  return ordered;
+}
+
 }  // namespace
 
 Result summary(const MissionRecord& record) { return summary(record, flown(record)); }
@@ -389,15 +411,7 @@ Result summary(const MissionRecord& record, const Flown& flown) {
   r.partial = record.partial;
   r.field = field_figures(record);
   r.datum = record.scenario.datum;
-  const std::vector<double> shares = cell_shares(record.plan.route);
-  for (std::size_t i = 0; i < record.plan.uavs.size(); ++i) {
-    const scheduler::UavPlan& uav = record.plan.uavs[i];
-    const std::span<const double> flown_shares{shares.data() + uav.cells.first, uav.cells.count};
-    const double area_m2 = sum(flown_shares) * cell_area_m2(record);
-    r.uavs.push_back(is_flown ? flown_figures(flown.uavs[i], uav, record.scenario.stations, area_m2)
-                              : planned_figures(record.plan.route, uav, area_m2));
-    r.uavs.back().lost = is_flown && flown.lost.contains(uav.vehicle.id);
-  }
+  r.uavs = uav_figures(record, flown);
   r.sweep = record.plan.sweep;
   if (planner::is_survey(record.plan.route)) {
     r.survey = is_flown ? flown_survey(flown) : planned_survey(record);
@@ -426,8 +440,7 @@ Result summary(const MissionRecord& record, const Flown& flown) {
   r.real_time_factor = record.timing.run_wall_s > 0 ? flown.ended_s / record.timing.run_wall_s : 0;
   r.faults = fault_figures(record, flown);
   r.separation = separation_figures(record, flown);
-  r.ordered.level = furrow::name(flown.ordered.level);
-  for (const AgentId agent : flown.ordered.taken_out) r.ordered.taken_out.push_back(number(agent));
+  r.ordered = ordered_figures(flown);
   r.expectations = judged(record.scenario.expectations, r);
   return r;
 }

@@ -41,6 +41,18 @@ std::uint32_t cell_count(const ReturnProblem& problem) {
   return static_cast<std::uint32_t>(problem.spray_m.size());
 }
 
+// The stay at a station between a sortie and the next, and what it adds to the plan.
+void serve(ReturnPlan& plan, PlannedSortie& sortie, const PlannedSortie& next,
+           const ReturnProblem& at, bool swap) {
+  const double fill_share = next.spray_m / tank_range(at.vehicle).base();
+  sortie.battery_swap_s = swap ? at.station.battery_swap.base() : 0.0;
+  sortie.fill_s = fill_time(at.station, fill_share).base();
+  sortie.service_s = service_time(at.station, swap, fill_share).base();
+  const double skipped_s = at.resume_s[next.first] - at.on_route_s[next.first];
+  plan.non_spray_s += sortie.service_s + sortie.fly_back_s + (next.fly_out_s - skipped_s);
+  plan.round_trips_m += at.back_m[sortie.last] + at.out_m[next.first];
+}
+
 }  // namespace
 
 ReturnPlan evaluated(const ReturnProblem& problem, const Returns& returns) {
@@ -77,19 +89,12 @@ ReturnPlan evaluated(std::span<const ReturnProblem* const> landings, const Retur
     if (n + 1 == plan.sorties.size()) break;
 
     const PlannedSortie& next = plan.sorties[n + 1];
-    const ReturnProblem& at = *landings[n];
     const bool swap = used_s + pack_s(ends(n + 1), next) > limits.pack_s;
     if (swap) {
       used_s = 0.0;
       ++plan.swaps;
     }
-    const double fill_share = next.spray_m / tank_range(any.vehicle).base();
-    sortie.battery_swap_s = swap ? at.station.battery_swap.base() : 0.0;
-    sortie.fill_s = fill_time(at.station, fill_share).base();
-    sortie.service_s = service_time(at.station, swap, fill_share).base();
-    const double skipped_s = at.resume_s[next.first] - at.on_route_s[next.first];
-    plan.non_spray_s += sortie.service_s + sortie.fly_back_s + (next.fly_out_s - skipped_s);
-    plan.round_trips_m += at.back_m[sortie.last] + at.out_m[next.first];
+    serve(plan, sortie, next, *landings[n], swap);
   }
   return plan;
 }

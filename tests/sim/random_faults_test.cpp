@@ -154,25 +154,33 @@ void fly_random_shortages(std::uint64_t first_seed, std::uint64_t runs) {
   CHECK(elsewhere > runs / 4);
 }
 
-void fly_random_faults(std::uint64_t first_seed, std::uint64_t runs) {
+/// Flies one plan of a small fleet with the faults of each seed, over a bad radio.
+template <class Faults, class Check>
+void fly_seeds(std::uint64_t first_seed, std::uint64_t runs, Faults faults_of, Check check) {
   mission::Scenario scenario = small_fleet();
   const auto plan = scheduler::plan_fleet(mission::fleet_problem(scenario));
   REQUIRE(plan);
-  std::size_t lost = 0, taken_over = 0;
   for (std::uint64_t seed = first_seed; seed < first_seed + runs; ++seed) {
     CAPTURE(seed);
     Random random{seed};
     scenario.seed = seed;
-    scenario.faults = random_faults(random, scenario, plan->makespan_s);
+    scenario.faults = faults_of(random, scenario, plan->makespan_s);
     bad_radio(scenario, random);
     const Log log = flown(scenario, *plan);
-    const SchedulerState last = judged(scenario, *plan, log);
+    check(log, judged(scenario, *plan, log), scenario.uavs.size());
+  }
+}
+
+void fly_random_faults(std::uint64_t first_seed, std::uint64_t runs) {
+  std::size_t lost = 0, taken_over = 0;
+  const auto check = [&](const Log& log, const SchedulerState& last, std::size_t uavs) {
     // Whoever is left sprays what is left.
-    if (last.lost.size() < scenario.uavs.size()) REQUIRE(last.completed);
+    if (last.lost.size() < uavs) REQUIRE(last.completed);
     REQUIRE(count(log, "cells_uncertain") <= 2 * last.lost.size());
     lost += last.lost.size();
     taken_over += count(log, "work_taken_over");
-  }
+  };
+  fly_seeds(first_seed, runs, random_faults, check);
   CHECK(lost >= runs);
   CHECK(taken_over >= runs);
 }
@@ -201,25 +209,16 @@ std::vector<mission::Fault> random_orders(Random& random, const mission::Scenari
 }
 
 void fly_random_orders(std::uint64_t first_seed, std::uint64_t runs) {
-  mission::Scenario scenario = small_fleet();
-  const auto plan = scheduler::plan_fleet(mission::fleet_problem(scenario));
-  REQUIRE(plan);
   std::size_t obeyed = 0, stopped = 0, completed = 0;
-  for (std::uint64_t seed = first_seed; seed < first_seed + runs; ++seed) {
-    CAPTURE(seed);
-    Random random{seed};
-    scenario.seed = seed;
-    scenario.faults = random_orders(random, scenario, plan->makespan_s);
-    bad_radio(scenario, random);
-    const Log log = flown(scenario, *plan);
-    const SchedulerState last = judged(scenario, *plan, log);
+  const auto check = [&](const Log& log, const SchedulerState& last, std::size_t uavs) {
     const std::size_t gone = last.lost.size() + count(log, "agent_taken_out");
     const bool is_stopped = count(log, "mission_stopped") > 0;
-    if (!is_stopped && gone < scenario.uavs.size()) REQUIRE(last.completed);
+    if (!is_stopped && gone < uavs) REQUIRE(last.completed);
     obeyed += count(log, "fleet_paused") + count(log, "fleet_recalled");
     stopped += is_stopped;
     completed += last.completed;
-  }
+  };
+  fly_seeds(first_seed, runs, random_orders, check);
   CHECK(obeyed > runs / 2);
   CHECK(stopped > runs / 10);
   CHECK(completed > runs / 2);
