@@ -159,8 +159,8 @@ void check_surprises(const Draft& draft) {
       at.fail("seen_within_m", "needs field.coverage.avoidance: how aircraft keep away from it");
       continue;
     }
-    if (s.terrain)
-      at.fail("seen_within_m", "must be left out over terrain: ways around it are level");
+    if (s.terrain && s.survey)
+      at.fail("seen_within_m", "must be left out of surveys over terrain, flown high above");
     check_sight(at, s.surprises[i], draft, swath->avoidance->safety);
     const Length kept = s.surprises[i].obstacle.radius + swath->avoidance->safety + metres(1);
     for (const Station& station : s.stations) {

@@ -38,13 +38,19 @@ std::vector<double> abeam_leg_m(const Piece& piece, const std::vector<Placed>& l
     const double wanted_m = i * spacing_m;
     while (leg + 1 < legs.size() && along(legs[leg].at) < wanted_m) ++leg;
     const double a = along(legs[leg - 1].at), b = along(legs[leg].at);
-    const double share = b > a ? std::clamp((wanted_m - a) / (b - a), 0.0, 1.0) : 0.0;
+    const double share = b > a ? std::clamp((wanted_m - a) / (b - a), 0.0, 1.0) : 1.0;
     cells.push_back(std::lerp(legs[leg - 1].leg_m, legs[leg].leg_m, share));
   }
   return cells;
 }
 
-// Lays the legs of a route: over terrain with heights, over level land around what was seen.
+// Where a piece is laid: its corners, the first where it begins, and the way around obstacles.
+struct PieceLegs {
+  std::vector<Placed> corners;
+  std::optional<double> first_bend_m{}, last_bend_m{};
+};
+
+// Lays the legs of a route around what was seen, over terrain with heights.
 class Laying {
  public:
   Laying(SortieRoute& route, Xy from_m, const Vehicle& vehicle, const planner::FerryMap& ferries,
@@ -52,76 +58,99 @@ class Laying {
       : route_{route},
         vehicle_{vehicle},
         ferries_{ferries},
+        relief_{ferries.relief()},
         around_{around},
         at_{field_point(from_m)} {}
 
   /// Each returns where along the legs it ends [m].
   double spray(FieldPoint to, Corner corner = Corner::cut) {
-    if (is_over_terrain()) return work(to, vehicle_.spray_speed, corner);
     const auto bends = around_.strip_bends(at_, to, vehicle_.swath);
-    return bent(bends, to, vehicle_.spray_speed.base(), corner);
+    bent(bends, to, vehicle_.spray_speed, corner);
+    piece_.corners.push_back({at_, leg_m_});
+    return leg_m_;
   }
   double work(FieldPoint to, Speed speed, Corner corner = Corner::cut) {
-    const planner::Relief* relief = ferries_.relief();
-    if (relief == nullptr) return bent(around_.ferry_bends(at_, to), to, speed.base(), corner);
-    return over(relief->contour(at_, to, speed), corner);
+    return bent(around_.ferry_bends(at_, to), to, speed, corner);
   }
   /// By the way points of an approach at their heights, where it has any; and on to `entry`.
   double approach(const Piece& piece, Speed speed, Corner corner) {
-    const planner::Relief* relief = ferries_.relief();
-    if (relief == nullptr || piece.approach_altitudes_m.empty()) {
+    if (relief_ == nullptr || piece.approach_altitudes_m.empty()) {
       for (const FieldPoint at : piece.approach) pass(at, vehicle_.ferry_speed, Corner::held);
       return work(piece.entry, speed, corner);
     }
-    const auto way = relief->way_at(at_, piece.approach, piece.approach_altitudes_m, piece.entry);
-    return over(relief->straight(way, speed), corner, Corner::held);
+    const auto way = relief_->way_at(at_, piece.approach, piece.approach_altitudes_m, piece.entry);
+    return over(relief_->straight(way, speed), corner, Corner::held);
   }
   double ferry(FieldPoint to, Corner corner = Corner::cut) {
     const Speed speed = vehicle_.ferry_speed;
-    if (const planner::Relief* relief = ferries_.relief()) {
-      return over(ferries_.air_way(at_, to, speed, relief->layer_of(vehicle_.id)), corner);
-    }
     const std::vector<FieldPoint> way = ferries_.way(at_, to);
+    if (relief_ != nullptr) {
+      const auto led = led_around(way);
+      return over(relief_->ferry(led, speed, relief_->layer_of(vehicle_.id)), corner);
+    }
     for (std::size_t i = 1; i + 1 < way.size(); ++i) pass(way[i], speed, Corner::cut);
     return work(to, speed, corner);
   }
 
+  /// Begins to note the legs of a piece.
+  void mark() { piece_ = {{{at_, leg_m_}}}; }
+  const PieceLegs& since_mark() const { return piece_; }
+  std::optional<double> blocked_leg_m() const { return blocked_leg_m_; }
+
+ private:
   /// A way point, unless an obstacle has come up there.
   void pass(FieldPoint at, Speed speed, Corner corner) {
     if (!around_.is_too_near(at)) work(at, speed, corner);
   }
 
-  /// Begins to note the bends of a piece.
-  void mark() { marks_ = {{at_, leg_m_}}; }
-  /// The legs since, or nothing if they are one straight line.
-  std::vector<Placed> bends_since_mark() {
-    marks_.push_back({at_, leg_m_});
-    return std::exchange(is_bent_, false) ? std::exchange(marks_, {}) : std::vector<Placed>{};
+  // The way in plan of a ferry, around what was seen.
+  std::vector<FieldPoint> led_around(const std::vector<FieldPoint>& way) {
+    std::vector<FieldPoint> led{way.front()};
+    double leg_m = leg_m_;
+    const auto go_on = [&](FieldPoint to) {
+      leg_m += distance(led.back(), to).base();
+      led.push_back(to);
+    };
+    for (std::size_t i = 1; i < way.size(); ++i) {
+      if (i + 1 < way.size() && around_.is_too_near(way[i])) continue;
+      const auto bends = around_.ferry_bends(led.back(), way[i]);
+      if (!bends) block(leg_m, led.back(), way[i]);
+      for (const FieldPoint bend : bends.value_or(std::vector<FieldPoint>{})) go_on(bend);
+      go_on(way[i]);
+    }
+    return led;
   }
-  std::optional<double> blocked_leg_m() const { return blocked_leg_m_; }
 
- private:
-  bool is_over_terrain() const { return ferries_.relief() != nullptr; }
+  // Only the first place counts.
+  void block(double leg_m, FieldPoint from, FieldPoint to) {
+    if (blocked_leg_m_) return;
+    blocked_leg_m_ =
+        leg_m + std::max(0.0, around_.clear_m(from, to).value_or(0.0) - blocked_room_m);
+  }
 
-  double bent(const std::optional<std::vector<FieldPoint>>& bends, FieldPoint to, double limit_mps,
+  double bent(const std::optional<std::vector<FieldPoint>>& bends, FieldPoint to, Speed speed,
               Corner corner) {
-    if (!bends && !blocked_leg_m_) {
-      const double clear_m = around_.clear_m(at_, to).value_or(0.0);
-      blocked_leg_m_ = leg_m_ + std::max(0.0, clear_m - blocked_room_m);
+    if (!bends) block(leg_m_, at_, to);
+    for (const FieldPoint bend : bends.value_or(std::vector<FieldPoint>{})) {
+      level_or_over(bend, speed, Corner::held);
+      if (!piece_.first_bend_m) piece_.first_bend_m = leg_m_;
+      piece_.last_bend_m = leg_m_;
+      piece_.corners.push_back({bend, leg_m_});
     }
-    if (bends && !bends->empty()) {
-      is_bent_ = true;
-      for (const FieldPoint bend : *bends) {
-        straight(bend, limit_mps, Corner::held);
-        marks_.push_back({bend, leg_m_});
-      }
-    }
-    return straight(to, limit_mps, corner);
+    return level_or_over(to, speed, corner);
   }
 
+  double level_or_over(FieldPoint to, Speed speed, Corner corner) {
+    if (relief_ == nullptr) return straight(to, speed.base(), corner);
+    return over(relief_->contour(at_, to, speed), corner);
+  }
+
+  // No corner is cut that an obstacle is near to.
   double straight(FieldPoint to, double limit_mps, Corner corner) {
+    const bool is_near = around_.is_within(to, 0.5 * vehicle_.swath);
     at_ = to;
-    return leg_m_ = route_.path.add(xy_m(to), limit_mps, corner);
+    return leg_m_ = route_.path.add(xy_m(to), limit_mps,
+                                    is_near ? std::max(corner, Corner::held) : corner);
   }
 
   // Pieces of one speed in a row are one leg.
@@ -144,12 +173,12 @@ class Laying {
   SortieRoute& route_;
   const Vehicle& vehicle_;
   const planner::FerryMap& ferries_;
+  const planner::Relief* relief_;
   const Surroundings& around_;
   FieldPoint at_;
   double leg_m_ = 0.0;
   std::optional<double> blocked_leg_m_{};
-  std::vector<Placed> marks_{};
-  bool is_bent_ = false;  // since the mark
+  PieceLegs piece_{};
 };
 
 // Moves what was known along the legs to the path, now that its corners are cut.
@@ -167,11 +196,11 @@ void settle(SortieRoute& route) {
 }
 
 // Takes note of the way around obstacles, if there is one.
-void bend(PieceOnPath& piece, const std::vector<Placed>& legs) {
-  if (legs.size() < 3) return;
-  piece.abeam_m = abeam_leg_m(piece.piece, legs);
-  piece.bends_from_m = legs[1].leg_m;
-  piece.bends_to_m = legs[legs.size() - 2].leg_m;
+void bend(PieceOnPath& piece, const PieceLegs& legs) {
+  if (!legs.first_bend_m) return;
+  piece.abeam_m = abeam_leg_m(piece.piece, legs.corners);
+  piece.bends_from_m = *legs.first_bend_m;
+  piece.bends_to_m = *legs.last_bend_m;
 }
 
 }  // namespace
@@ -215,7 +244,7 @@ SortieRoute sortie_route(Xy from_m, std::span<const Piece> pieces, Xy to_m, cons
       close = lay.spray(piece.exit, corner(goes_on));
     }
     route.pieces.push_back({piece, open, close, from, spacing(piece), 0.0});
-    bend(route.pieces.back(), lay.bends_since_mark());
+    bend(route.pieces.back(), lay.since_mark());
   }
   lay.ferry(field_point(to_m));
   route.path.finish();

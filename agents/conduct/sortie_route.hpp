@@ -57,13 +57,13 @@ struct SortieRoute {
 /// held.
 ///
 /// Over terrain the route keeps work height on pieces and between them, ferries as
-/// planner::Relief::ferry says, and is flown no faster than its slopes allow. Surroundings are not
-/// looked at there.
+/// planner::Relief::ferry says, and is flown no faster than its slopes allow.
 ///
-/// Legs lead around what was seen: pieces with the valve open, all others as
-/// `Surroundings::ferry_bends` says. Where there is no way around, the route is blocked 0.5 m
-/// before the clearance. It is the same route up to the first leg that an obstacle learnt since
-/// changes.
+/// Legs lead around what was seen, in plan: pieces with the valve open, all others as
+/// `Surroundings::ferry_bends` says; no corner is cut near to it. Over terrain such ways get
+/// heights as all others do, but for approaches that name heights of their own, which stay as they
+/// are. Where there is no way around, the route is blocked 0.5 m before the clearance. It is the
+/// same route up to the first leg that an obstacle learnt since changes.
 SortieRoute sortie_route(Xy from_m, std::span<const Piece> pieces, Xy to_m, const Vehicle& vehicle,
                          const planner::FerryMap& ferries, const Surroundings& around);
 

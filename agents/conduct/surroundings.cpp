@@ -49,9 +49,9 @@ bool Surroundings::learn(const SeenObstacle& obstacle) {
   return true;
 }
 
-bool Surroundings::is_too_near(FieldPoint place) const {
+bool Surroundings::is_within(FieldPoint place, Length more) const {
   return std::any_of(seen_.begin(), seen_.end(), [&](const SeenObstacle& o) {
-    return distance(place, o.center).base() < kept_m(o);
+    return distance(place, o.center).base() < kept_m(o) + more.base();
   });
 }
 

@@ -29,7 +29,9 @@ class Surroundings {
   Length clearance() const { return rule_.clearance; }
 
   /// Whether a place is nearer to a seen obstacle than the clearance.
-  bool is_too_near(FieldPoint place) const;
+  bool is_too_near(FieldPoint place) const { return is_within(place, Length{}); }
+  /// The same with `more` added to the clearance.
+  bool is_within(FieldPoint place, Length more) const;
 
   /// How far the straight way from `from` to `to` is clear of all that was seen [m]; nothing: all
   /// of it.

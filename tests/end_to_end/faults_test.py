@@ -42,8 +42,9 @@ class Faults(Furrow):
         self.assertLessEqual(result["faults"][0]["noticed_s"], 601)
 
     def test_a_tree_that_no_map_shows_is_flown_around_by_sim_and_run_alike(self):
-        _, events = self.flown_alike("surprise_tree.yaml")
-        self.assertIn(b"obstacle_planned", events)
+        for scenario in ("surprise_tree.yaml", "surprise_hill.yaml"):
+            _, events = self.flown_alike(scenario)
+            self.assertIn(b"obstacle_planned", events)
 
     def test_what_lies_behind_a_tree_without_a_way_past_is_sprayed_by_sim_and_run_alike(self):
         result, events = self.flown_alike("alley_blocked.yaml", "the mission is not completed", 1)

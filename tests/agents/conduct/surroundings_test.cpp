@@ -112,6 +112,56 @@ TEST_CASE(
   CHECK_FALSE(around.ferry_bends(at_m(0, 0), at_m(0, 51)));
 }
 
+// Ground that rises by a tenth to the north, as a raster of 10 m.
+planner::FerryMap slope() {
+  Raster ground{
+      .south_west = at_m(-50, -50), .step = metres(10), .columns = 11, .rows = 21, .heights_m = {}};
+  for (int row = 0; row < 21; ++row) {
+    ground.heights_m.insert(ground.heights_m.end(), 11, static_cast<float>(row - 5));
+  }
+  return planner::FerryMap{}.over_ground({planner::Surface{std::move(ground)}, {}, {}});
+}
+
+TEST_CASE("over a slope a strip is flown around a tree at the height of work above the ground") {
+  const Surroundings around = alley(20, {tree(0.3, 50)});
+  const SortieRoute level = route_of(strip(), around);
+  const SortieRoute route = sortie_route({0, 0}, {{strip()}}, {0, 0}, sprayer(), slope(), around);
+  CHECK_FALSE(route.blocked_m);
+  const PieceOnPath& bent = route.pieces.front();
+  REQUIRE(bent.is_bent());
+  CHECK(bent.bends_from_m == Approx(level.pieces.front().bends_from_m).margin(0.1));
+  CHECK(least_distance_m(route, bent.close_m, at_m(0.3, 50)) > 3 - 1e-3);
+  for (std::uint32_t i = 0; i < 49; ++i) {
+    // Cell i lies at y = 1 + 2 i, and the ground there at y / 10; a rounded corner shifts it a
+    // little.
+    CHECK(route.heights.altitude_m(route.cell_m(0, i)) ==
+          Approx(0.1 * (1 + 2 * i) + 3).margin(0.05));
+  }
+}
+
+TEST_CASE("over a slope a ferry is led around a tree at the clearance of ferries") {
+  const SortieRoute route =
+      sortie_route({0, 0}, {}, {0, 98}, sprayer(), slope(), alley(20, {tree(0, 50)}));
+  CHECK_FALSE(route.blocked_m);
+  CHECK(least_distance_m(route, no_stop, at_m(0, 50)) > 3 - 0.05);
+  CHECK(route.heights.altitude_m(0.5 * route.path.length_m()) >= 0.1 * 49 + 15 - 0.05);
+}
+
+TEST_CASE("no corner is cut that an obstacle is near to") {
+  // From (0, 0) by (0, 50), past a tree inside the corner, to (40, 50): 4.1 m from both legs.
+  Piece corner = strip();
+  corner.cells = {0, 1};
+  corner.entry = corner.from = corner.to = corner.exit = at_m(0, 50);
+  Vehicle wide = sprayer();
+  wide.swath = metres(20);
+  const SeenObstacle inside = tree(3.2, 46.8);
+  const Surroundings near = alley(60, {inside});
+  const SortieRoute cut = sortie_route({0, 0}, {{corner}}, {40, 50}, wide, {}, alley(60));
+  const SortieRoute held = sortie_route({0, 0}, {{corner}}, {40, 50}, wide, {}, near);
+  CHECK(least_distance_m(cut, no_stop, inside.center) < 3);
+  CHECK(least_distance_m(held, no_stop, inside.center) > 3 - 1e-3);
+}
+
 TEST_CASE(
     "a pilot goes on along a route that bends ahead of it, and not along one that bent behind") {
   const SortieRoute plain = route_of(strip(), alley(20));
