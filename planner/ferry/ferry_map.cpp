@@ -65,6 +65,21 @@ class FerryMap::Ground {
     return planner::length_m(way(from, to));
   }
 
+  std::vector<double> lengths_m(PointM from, std::span<const PointM> line) const {
+    std::vector<double> made(line.size());
+    for (const InsidePaths::Fan& fan : fans_) {
+      if (!(fan.from == from)) continue;
+      made = paths_.ways_m(fan, line);
+      for (std::size_t i = 0; i < line.size(); ++i) {
+        if (made[i] == INFINITY) made[i] = planner::length_m(way(from, line[i]));
+      }
+      return made;
+    }
+    std::transform(line.begin(), line.end(), made.begin(),
+                   [&](PointM to) { return length_m(from, to); });
+    return made;
+  }
+
  private:
   double fan_length_m(const InsidePaths::Fan& fan, PointM to) const {
     const double inside_m = paths_.way_m(fan, to);
@@ -157,6 +172,19 @@ AirWay FerryMap::air_way(FieldPoint from, FieldPoint to, Speed speed, Length lay
 Length FerryMap::length(FieldPoint from, FieldPoint to) const {
   if (!ground_) return distance(from, to);
   return metres(ground_->length_m(ground_->plane(from), ground_->plane(to)));
+}
+
+std::vector<double> FerryMap::lengths_m(FieldPoint from, std::span<const FieldPoint> line) const {
+  std::vector<double> made(line.size());
+  if (!ground_) {
+    std::transform(line.begin(), line.end(), made.begin(),
+                   [from](FieldPoint to) { return distance(from, to).base(); });
+    return made;
+  }
+  std::vector<PointM> places(line.size());
+  std::transform(line.begin(), line.end(), places.begin(),
+                 [this](FieldPoint p) { return ground_->plane(p); });
+  return ground_->lengths_m(ground_->plane(from), places);
 }
 
 }  // namespace furrow::planner

@@ -52,6 +52,10 @@ class FerryMap {
   /// search.
   Length length(FieldPoint from, FieldPoint to) const;
 
+  /// The same to places in order along one straight line, faster from a stand than one by one.
+  /// @return  Metres.
+  std::vector<double> lengths_m(FieldPoint from, std::span<const FieldPoint> line) const;
+
   /// The same ways over ground that is not level.
   FerryMap over_ground(Relief relief) const;
 

@@ -141,10 +141,17 @@ void add_turns(ReturnProblem& problem, const Route& route, const std::vector<Cel
 StationLengths station_lengths(const Route& route, FieldPoint station) {
   StationLengths lengths;
   const auto cells = static_cast<std::uint32_t>(route.centers.size());
-  for (const CellStop& at : cell_stops(route, {0, cells})) {
-    lengths.back_m.push_back(route.ferries.length(at.stop, station).base());
-    lengths.out_m.push_back(at.resume == at.stop ? lengths.back_m.back()
-                                                 : route.ferries.length(at.resume, station).base());
+  const std::vector<CellStop> at = cell_stops(route, {0, cells});
+  for (const Strip& strip : route.strips) {
+    std::vector<FieldPoint> line;
+    for (std::uint32_t c = strip.cells.first; c < end(strip.cells); ++c) line.push_back(at[c].stop);
+    const std::vector<double> ways_m = route.ferries.lengths_m(station, line);
+    lengths.back_m.insert(lengths.back_m.end(), ways_m.begin(), ways_m.end());
+  }
+  lengths.out_m = lengths.back_m;
+  for (std::uint32_t c = 0; c < cells; ++c) {
+    if (at[c].resume == at[c].stop) continue;
+    lengths.out_m[c] = route.ferries.length(at[c].resume, station).base();
   }
   return lengths;
 }

@@ -92,16 +92,73 @@ InsidePaths::Fan InsidePaths::fan(PointM from) const {
   return made;
 }
 
-double InsidePaths::way_m(const Fan& fan, PointM to) const {
-  if (is_convex() || grid_.sees(fan.from, to)) return norm(to - fan.from);
-  double best_m = INFINITY;
+// The shortest of `known` and the ways past a corner.
+InsidePaths::Arrival InsidePaths::nearest_past(const Fan& fan, PointM to, Arrival known) const {
   for (std::size_t c = 0; c < corners_.size(); ++c) {
     const double through_m = fan.corner_m[c] + norm(to - corners_[c].at);
-    if (through_m < best_m && bends_around(to, corners_[c]) && grid_.sees(corners_[c].at, to)) {
-      best_m = through_m;
+    if (through_m < known.way_m && bends_around(to, corners_[c]) &&
+        grid_.sees(corners_[c].at, to)) {
+      known = {through_m, c};
     }
   }
-  return best_m;
+  return known;
+}
+
+InsidePaths::Arrival InsidePaths::arrival(const Fan& fan, PointM to) const {
+  if (is_convex() || grid_.sees(fan.from, to)) return {norm(to - fan.from), straight};
+  return nearest_past(fan, to, {INFINITY, straight});
+}
+
+double InsidePaths::way_m(const Fan& fan, PointM to) const { return arrival(fan, to).way_m; }
+
+// Whether the triangle is land, where `apex` sees `a` and `b`.
+bool InsidePaths::is_clear(PointM apex, PointM a, PointM b) const {
+  if (!grid_.sees(a, b)) return false;
+  const double turn = cross(a - apex, b - apex) < 0 ? -1 : 1;
+  const auto is_inside = [&](PointM p) {
+    return turn * cross(a - apex, p - apex) >= 0 && turn * cross(b - a, p - a) >= 0 &&
+           turn * cross(apex - b, p - b) >= 0;
+  };
+  return std::none_of(rings_.begin() + 1, rings_.end(), [&](const RingM& hole) {
+    return std::any_of(hole.begin(), hole.end(), is_inside);
+  });
+}
+
+// Everything between the ends of a line.
+void InsidePaths::fill(const Fan& fan, std::span<const PointM> line, Arrival first, Arrival last,
+                       std::span<double> ways_m) const {
+  if (line.size() <= 2) return;
+  const bool is_alike = first.past == last.past && first.way_m < INFINITY && last.way_m < INFINITY;
+  const bool is_straight = first.past == straight;
+  if (is_alike &&
+      is_clear(is_straight ? fan.from : corners_[first.past].at, line.front(), line.back())) {
+    for (std::size_t i = 1; i + 1 < line.size(); ++i) {
+      if (is_straight) {
+        ways_m[i] = norm(line[i] - fan.from);
+        continue;
+      }
+      const Arrival past{fan.corner_m[first.past] + norm(line[i] - corners_[first.past].at),
+                         first.past};
+      // Around holes another way may be shorter in the middle of a line though at no end of it.
+      ways_m[i] = rings_.size() == 1 ? past.way_m : nearest_past(fan, line[i], past).way_m;
+    }
+    return;
+  }
+  const std::size_t middle = line.size() / 2;
+  const Arrival half = arrival(fan, line[middle]);
+  ways_m[middle] = half.way_m;
+  fill(fan, line.first(middle + 1), first, half, ways_m.first(middle + 1));
+  fill(fan, line.subspan(middle), half, last, ways_m.subspan(middle));
+}
+
+std::vector<double> InsidePaths::ways_m(const Fan& fan, std::span<const PointM> line) const {
+  std::vector<double> ways_m(line.size());
+  if (line.empty()) return ways_m;
+  const Arrival first = arrival(fan, line.front()), last = arrival(fan, line.back());
+  ways_m.front() = first.way_m;
+  ways_m.back() = last.way_m;
+  fill(fan, line, first, last, ways_m);
+  return ways_m;
 }
 
 std::optional<PathM> InsidePaths::shortest(PointM a, PointM b) const {

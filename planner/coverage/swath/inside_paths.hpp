@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace furrow::planner {
@@ -33,6 +34,10 @@ class InsidePaths {
   /// O(corners).
   double way_m(const Fan& fan, PointM to) const;
 
+  /// The same to places in order along one straight line. Where both ends of a stretch are reached
+  /// past the same corner and nothing lies between, the places between are too.
+  std::vector<double> ways_m(const Fan& fan, std::span<const PointM> line) const;
+
   /// Whether every place sees every other.
   bool is_convex() const { return corners_.empty(); }
 
@@ -47,7 +52,19 @@ class InsidePaths {
     double length_m;
   };
 
+  /// How a place is reached: the last corner on the way, `straight` where there is none.
+  struct Arrival {
+    double way_m;
+    std::size_t past;
+  };
+  static constexpr std::size_t straight = static_cast<std::size_t>(-1);
+
   bool bends_around(PointM from, const Corner& corner) const;
+  Arrival arrival(const Fan& fan, PointM to) const;
+  Arrival nearest_past(const Fan& fan, PointM to, Arrival known) const;
+  bool is_clear(PointM apex, PointM a, PointM b) const;
+  void fill(const Fan& fan, std::span<const PointM> line, Arrival first, Arrival last,
+            std::span<double> ways_m) const;
   const std::vector<Link>& links_of(std::size_t corner) const;
   std::optional<PathM> along_ring(PointM a, PointM b) const;
   std::optional<PathM> search(PointM a, PointM b, double longest_m) const;

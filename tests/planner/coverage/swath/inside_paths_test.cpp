@@ -1,5 +1,7 @@
 #include "planner/coverage/swath/inside_paths.hpp"
 
+#include "core/random.hpp"
+
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -49,6 +51,33 @@ TEST_CASE("a way between the teeth of a comb goes round each tooth gap") {
                       {}};
   // Straight down 20 m, 30 m along the floors of two gaps, and up 20 m.
   CHECK(shortest_m(comb, {10, 30}, {40, 30}) == Approx(20 + 30 + 20));
+}
+
+TEST_CASE("lengths to a line of places are those to each of them") {
+  // Nine square posts of 4 m, 10 m apart: most places are reached past a corner, many past another
+  // one than their neighbours.
+  LandPart posts{{{0, 0}, {40, 0}, {40, 40}, {0, 40}}, {}};
+  for (const double x : {8., 18., 28.}) {
+    for (const double y : {8., 18., 28.}) {
+      posts.holes.push_back({{x, y}, {x, y + 4}, {x + 4, y + 4}, {x + 4, y}});
+    }
+  }
+  const InsidePaths paths{posts};
+  furrow::Random random{1};
+  const auto place = [&] { return PointM{40 * random.uniform(), 40 * random.uniform()}; };
+  for (int round = 0; round < 300; ++round) {
+    const InsidePaths::Fan fan = paths.fan(place());
+    const PointM from = place(), to = place();
+    std::vector<PointM> line;
+    for (int i = 0; i <= 40; ++i) line.push_back(from + (i / 40.0) * (to - from));
+    const std::vector<double> ways_m = paths.ways_m(fan, line);
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      INFO("round " << round << ", place " << i);
+      const double alone_m = paths.way_m(fan, line[i]);
+      CHECK((ways_m[i] == alone_m || std::abs(ways_m[i] - alone_m) < 1e-9));
+    }
+  }
+  CHECK(paths.ways_m(paths.fan({1, 1}), {}).empty());
 }
 
 TEST_CASE("places off the land have no way") {
