@@ -67,10 +67,11 @@ Draft draft(const planner::Route& route, const RouteLengths& lengths,
             std::span<const Vehicle> vehicles, std::span<const Station> stations) {
   require(!vehicles.empty() && !stations.empty(), "a fleet has aircraft and stations");
   Desk desk{route, lengths, vehicles, stations, {}};
+  FirstFlights flights{route};
   for (const Vehicle& v : vehicles) {
     auto& by_station = desk.paces.emplace_back();
     for (std::size_t s = 0; s < stations.size(); ++s) {
-      by_station.push_back(pace(route, v, stations[s], lengths.home_m[s]));
+      by_station.push_back(pace(flights, v, stations[s], lengths.home_m[s]));
     }
   }
   PartitionProblem problem{route, lengths, desk.paces, std::vector(vehicles.size(), 1.0)};
@@ -95,9 +96,10 @@ std::vector<Share> recut(const planner::Route& route, const RouteLengths& length
                          const std::vector<Share>& shares, const std::vector<double>& finishes_s) {
   std::vector<std::vector<Pace>> paces;  // from the one station that each aircraft keeps
   std::vector<double> stretch;
+  FirstFlights flights{route};
   for (std::size_t u = 0; u < vehicles.size(); ++u) {
     const std::uint32_t s = shares[u].station;
-    paces.push_back({pace(route, vehicles[u], stations[s], lengths.home_m[s])});
+    paces.push_back({pace(flights, vehicles[u], stations[s], lengths.home_m[s])});
     GrowingShare growing{route, lengths, paces[u][0], shares[u].strips.first};
     double predicted_s = 0.0;
     for (std::uint32_t n = 0; n < shares[u].strips.count; ++n) predicted_s = growing.grow();

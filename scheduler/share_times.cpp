@@ -48,7 +48,17 @@ RouteLengths route_lengths(const planner::Route& route, std::span<const Station>
   return lengths;
 }
 
-Pace pace(const planner::Route& route, const Vehicle& vehicle, const Station& station,
+const std::vector<double>& FirstFlights::from(FieldPoint home) {
+  const auto [known, is_new] = known_m_.try_emplace({home.x.base(), home.y.base()});
+  if (is_new) {
+    for (const planner::Strip& strip : route_.strips) {
+      known->second.push_back(route_.ferries.length(home, strip.begin).base());
+    }
+  }
+  return known->second;
+}
+
+Pace pace(FirstFlights& flights, const Vehicle& vehicle, const Station& station,
           std::span<const double> home_m) {
   Pace p{.spray_mps = vehicle.spray_speed.base(),
          .ferry_mps = vehicle.ferry_speed.base(),
@@ -57,17 +67,15 @@ Pace pace(const planner::Route& route, const Vehicle& vehicle, const Station& st
          .fill_s_per_m = fill_s_per_m(vehicle, station),
          .home_m = home_m,
          .out_s = {}};
-  for (const planner::Strip& strip : route.strips) {
-    p.out_s.push_back(
-        (route.ferries.length(vehicle.home, strip.begin) / vehicle.ferry_speed).base());
-  }
+  for (const double out_m : flights.from(vehicle.home)) p.out_s.push_back(out_m / p.ferry_mps);
   return p;
 }
 
 Pace fastest_pace(const planner::Route& route, std::span<const Vehicle> vehicles,
                   std::span<const Station> stations, std::span<const double> nearest_m) {
   require(!vehicles.empty() && !stations.empty(), "a fleet has aircraft and stations");
-  Pace best = pace(route, vehicles[0], stations[0], nearest_m);
+  FirstFlights flights{route};
+  Pace best = pace(flights, vehicles[0], stations[0], nearest_m);
   best.out_s.assign(route.strips.size(), std::numeric_limits<double>::infinity());
   for (const Vehicle& v : vehicles) {
     best.spray_mps = std::max(best.spray_mps, v.spray_speed.base());
@@ -78,15 +86,14 @@ Pace fastest_pace(const planner::Route& route, std::span<const Vehicle> vehicles
       best.fill_s_per_m = std::min(best.fill_s_per_m, fill_s_per_m(v, s));
     }
   }
-  for (std::size_t i = 0; i < route.strips.size(); ++i) {
-    const auto closer = [&](FieldPoint from) {
-      const double out_s =
-          route.ferries.length(from, route.strips[i].begin).base() / best.ferry_mps;
-      best.out_s[i] = std::min(best.out_s[i], out_s);
-    };
-    for (const Vehicle& v : vehicles) closer(v.home);
-    for (const Station& s : stations) closer(s.position);
-  }
+  const auto closer = [&](FieldPoint from) {
+    const std::vector<double>& out_m = flights.from(from);
+    for (std::size_t i = 0; i < out_m.size(); ++i) {
+      best.out_s[i] = std::min(best.out_s[i], out_m[i] / best.ferry_mps);
+    }
+  };
+  for (const Vehicle& v : vehicles) closer(v.home);
+  for (const Station& s : stations) closer(s.position);
   return best;
 }
 

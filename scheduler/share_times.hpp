@@ -7,7 +7,9 @@
 #include "planner/returns/problem.hpp"
 
 #include <cstdint>
+#include <map>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace furrow::scheduler {
@@ -36,8 +38,22 @@ struct Pace {
   std::vector<double> out_s;       ///< By strip: first flight to its first cell.
 };
 
+/// Ferry ways from homes to where the strips of a route begin, each home measured once.
+class FirstFlights {
+ public:
+  /// @param route  It must outlive them.
+  explicit FirstFlights(const planner::Route& route) : route_{route} {}
+
+  /// By strip, in metres.
+  const std::vector<double>& from(FieldPoint home);
+
+ private:
+  const planner::Route& route_;
+  std::map<std::pair<double, double>, std::vector<double>> known_m_{};
+};
+
 /// @param home_m  Distances from every cell to `station`; they must outlive the pace.
-Pace pace(const planner::Route& route, const Vehicle& vehicle, const Station& station,
+Pace pace(FirstFlights& flights, const Vehicle& vehicle, const Station& station,
           std::span<const double> home_m);
 
 /// A pace that no aircraft of the fleet beats anywhere, from any of the stations: the best of every

@@ -74,11 +74,12 @@ std::vector<Share> cut(const Desk& desk) {
   std::vector<std::vector<Pace>> paces;
   std::vector<double> ready_s;
   std::vector<std::size_t> who;
+  FirstFlights flights{desk.left.route};
   for (std::size_t u = 0; u < desk.survivors.size(); ++u) {
     if (!desk.reaches[u]) continue;
     who.push_back(u);
     ready_s.push_back(desk.survivors[u].ready_s);
-    paces.push_back({pace(desk.left.route, desk.survivors[u].vehicle, desk.survivors[u].station,
+    paces.push_back({pace(flights, desk.survivors[u].vehicle, desk.survivors[u].station,
                           desk.lengths.home_m[desk.at[u]])});
   }
   std::vector<Share> shares(desk.survivors.size(), Share{});

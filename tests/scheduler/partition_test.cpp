@@ -18,10 +18,11 @@ struct Fleet {
 
   PartitionProblem problem() {
     paces.clear();
+    FirstFlights flights{route};
     for (const Vehicle& v : vehicles) {
       auto& row = paces.emplace_back();
       for (std::size_t s = 0; s < stations.size(); ++s) {
-        row.push_back(pace(route, v, stations[s], lengths.home_m[s]));
+        row.push_back(pace(flights, v, stations[s], lengths.home_m[s]));
       }
     }
     return {route, lengths, paces, std::vector(vehicles.size(), 1.0)};

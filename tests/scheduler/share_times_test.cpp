@@ -29,7 +29,8 @@ TEST_CASE("share_times: the time is the best over all choices of return points",
   const std::vector stations{station(1, 1, at_m(4, -3))};
   const RouteLengths lengths = route_lengths(route, stations);
   const Vehicle v = thirsty(1);
-  const Pace p = pace(route, v, stations[0], lengths.home_m[0]);
+  FirstFlights flights{route};
+  const Pace p = pace(flights, v, stations[0], lengths.home_m[0]);
   const auto problem = planner::return_problem(route, {0, 15}, v, stations[0]);
 
   // All 2^13 choices among cells 1 .. 13; cell 0 is sprayed before take-off counts a move.
@@ -78,7 +79,8 @@ TEST_CASE("share_times: no plan of the planner's is faster", "[scheduler]") {
   const std::vector stations{station(1)};
   const RouteLengths lengths = route_lengths(route, stations);
   const Vehicle v = vehicle(1);
-  const Pace p = pace(route, v, stations[0], lengths.home_m[0]);
+  FirstFlights flights{route};
+  const Pace p = pace(flights, v, stations[0], lengths.home_m[0]);
   GrowingShare share{route, lengths, p, 0};
   double best_s = 0.0;
   while (share.can_grow()) best_s = share.grow();
