@@ -318,6 +318,7 @@ void AgentNode::go_home() {
 
 void AgentNode::follow(SortieRoute route) {
   if (route_) flown_m_ += aircraft_.pilot().pace().along_m();
+  note_outside(route);
   route_ = std::move(route);
   laid_from_m_ = route_->path.segments().front().from;  // the estimate moves at take-off
   aircraft_.follow(route_->path);

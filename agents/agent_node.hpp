@@ -81,6 +81,7 @@ class AgentNode {
   void reroute(Instant t);
   void swerve(SortieRoute route);
   void stop_short(Instant t);
+  void note_outside(const SortieRoute& route);
   bool is_blocked() const;
   void meet_blockage(Instant t);
   double before_blockage_m(double stop_m) const;
@@ -167,9 +168,10 @@ class AgentNode {
   };
   std::optional<WayHome> way_home_;  // as last looked up
   bool is_valve_open_ = false;
-  bool is_astray_ = false;  // stops with the valve closed, to return to its line
-  int strays_ = 0;          // since the last cell
-  bool is_unfit_ = false;   // could not be held on its line
+  bool leaves_land_ = false;  // its route, around an obstacle
+  bool is_astray_ = false;    // stops with the valve closed, to return to its line
+  int strays_ = 0;            // since the last cell
+  bool is_unfit_ = false;     // could not be held on its line
   std::optional<CloseReason> leaving_;
   SortieReport sortie_{};
   bool has_unreported_sortie_ = false;

@@ -67,6 +67,7 @@ void AgentNode::reroute(Instant t) {
 
 void AgentNode::swerve(SortieRoute route) {
   spray_left_m_ += route.spray_m - route_->spray_m;
+  note_outside(route);
   route_ = std::move(route);
   aircraft_.redirect(route_->path);
   expect_next_cell();
@@ -80,6 +81,13 @@ void AgentNode::swerve(SortieRoute route) {
     stop_m_ = before_blockage_m(licensed_stop_m());
     if (!may_work()) stop_m_ = leaving_stop_m();
   }
+}
+
+// Once, until a route stays on the land again.
+void AgentNode::note_outside(const SortieRoute& route) {
+  const bool is_known = std::exchange(leaves_land_, route.leaves_land);
+  if (!route.leaves_land || is_known) return;
+  note("land_left", "flies around an obstacle outside the field: no way leads past it inside");
 }
 
 void AgentNode::stop_short(Instant t) {

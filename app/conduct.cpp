@@ -87,23 +87,6 @@ std::vector<std::string> losses(const std::vector<Envelope>& log) {
   return all;
 }
 
-// What the planned rows leave out, where it is more than a thousandth of the land; else nothing.
-std::string uncovered(const Result& result) {
-  if (!result.sweep) return {};
-  const planner::SprayedAreas& areas = result.sweep->areas;
-  const double share = areas.missed / (areas.covered + areas.missed);
-  if (!(share > 1e-3)) return {};
-  return fmt::format("the planned rows leave {:.0f} m2 of the field unsprayed, {:.2f} %",
-                     areas.missed.base(), 100 * share);
-}
-
-// How far aircraft are at work over ground that is not of the field, where they are; else nothing.
-std::string strayed(const Result& result) {
-  if (!(result.fleet.outside_at_work_m > 0.5)) return {};
-  return fmt::format("ways between rows lead {:.0f} m over ground outside the field or in holes",
-                     result.fleet.outside_at_work_m);
-}
-
 int report(const Options& options, const MissionRecord& record) {
   const Result result = summary(record);
   const std::string folder = results_folder(options, record.scenario);
@@ -116,9 +99,7 @@ int report(const Options& options, const MissionRecord& record) {
     fmt::print(stderr, "{}", summary_table(result));
     fmt::print(stderr, "Results: {}/report.html\n", folder);
   }
-  for (const std::string& sentence : {uncovered(result), strayed(result)}) {
-    if (!sentence.empty()) tell(sentence);
-  }
+  for (const std::string& sentence : result.warnings) tell(sentence);
   for (const std::string& sentence : losses(record.log)) tell(sentence);
   const auto lacking = shortcomings(result, record.log);
   for (const std::string& sentence : lacking) tell(sentence);

@@ -152,17 +152,17 @@ void check_sight(const Section& at, const Surprise& surprise, const Draft& draft
 // Obstacles that the plan does not know.
 void check_surprises(const Draft& draft) {
   const Scenario& s = draft.scenario;
-  const auto* swath = std::get_if<planner::SwathSettings>(&s.coverage);
+  const auto& avoidance = planner::avoidance_of(s.coverage);
   for (std::size_t i = 0; i < draft.surprises.size(); ++i) {
     const Section& at = draft.surprises[i];
-    if (swath == nullptr || !swath->avoidance) {
+    if (!avoidance) {
       at.fail("seen_within_m", "needs field.coverage.avoidance: how aircraft keep away from it");
       continue;
     }
     if (s.terrain && s.survey)
       at.fail("seen_within_m", "must be left out of surveys over terrain, flown high above");
-    check_sight(at, s.surprises[i], draft, swath->avoidance->safety);
-    const Length kept = s.surprises[i].obstacle.radius + swath->avoidance->safety + metres(1);
+    check_sight(at, s.surprises[i], draft, avoidance->safety);
+    const Length kept = s.surprises[i].obstacle.radius + avoidance->safety + metres(1);
     for (const Station& station : s.stations) {
       if (distance(station.position, s.surprises[i].obstacle.center) > kept) continue;
       at.fail("center_m", "must leave every station free by the safety distance and 1 m");

@@ -2,6 +2,7 @@
 
 #include "agents/agent_node.hpp"
 #include "core/random.hpp"
+#include "core/raster.hpp"
 #include "core/require.hpp"
 #include "planner/avoidance/field_plan.hpp"
 #include "scheduler/scheduler_node.hpp"
@@ -52,18 +53,33 @@ Length usual_overlap(const std::vector<Vehicle>& uavs) {
   return most;
 }
 
+// On land that ends a kilometre beyond the field.
+Field without_boundary(Field field) {
+  constexpr Length beyond = metres(1000);
+  Extent all{field.boundary.front(), field.boundary.front()};
+  for (const FieldPoint p : field.boundary) cover(all, p, beyond);
+  const auto [low, high] = all;
+  field.boundary = {low, {high.x, low.y}, high, {low.x, high.y}};
+  return field;
+}
+
 // On board, as strips are led around the obstacles that the plan knows.
 agents::AvoidanceRule avoidance_rule(const Scenario& scenario) {
   if (scenario.surprises.empty()) return {};
   const auto coverage = fleet_problem(scenario).coverage;
+  const auto& avoidance = planner::avoidance_of(coverage);
+  if (!avoidance) return {};
   const auto* swath = std::get_if<planner::SwathSettings>(&coverage);
-  if (swath == nullptr || !swath->avoidance) return {};
-  const Length clearance = swath->avoidance->safety + metres(planner::tracking_room_m);
-  auto room = planner::room_of(scenario.field, swath->margin, swath->hole_buffer, clearance);
-  require(room.has_value(), "a field that was planned leaves room");
+  const Length clearance = avoidance->safety + metres(planner::tracking_room_m);
+  const Length margin = std::visit([](const auto& settings) { return settings.margin; }, coverage);
+  const Length buffer = swath ? swath->hole_buffer : Length{};
+  auto room = planner::room_of(scenario.field, margin, buffer, clearance);
+  auto beyond = planner::room_of(without_boundary(scenario.field), margin, buffer, clearance);
+  require(room && beyond, "a field that was planned leaves room");
   return {.planned = std::move(*room),
+          .beyond = std::move(*beyond),
           .clearance = clearance,
-          .turn_radius = swath->avoidance->turn_radius};
+          .turn_radius = avoidance->turn_radius};
 }
 
 std::optional<OperatorAsk> ask(Fault::Kind kind) {
@@ -98,7 +114,13 @@ std::optional<planner::SurveySettings> survey_of(const Scenario& scenario) {
 
 scheduler::FleetProblem fleet_problem(const Scenario& scenario) {
   planner::CoverageModel coverage = scenario.coverage;
-  if (auto* grid = std::get_if<planner::CoverageSettings>(&coverage)) grid->start = scenario.start;
+  if (auto* grid = std::get_if<planner::CoverageSettings>(&coverage)) {
+    grid->start = scenario.start;
+    if (grid->avoidance) {
+      fit_to_fleet(*grid->avoidance, scenario);
+      grid->avoidance->dubins_turns = false;  // steps between strips are sprayed
+    }
+  }
   if (auto* swath = std::get_if<planner::SwathSettings>(&coverage)) {
     swath->near = scenario.start;
     if (swath->avoidance) fit_to_fleet(*swath->avoidance, scenario);

@@ -21,9 +21,9 @@ constexpr std::uint64_t most_id = 1'000'000;
 
 // Keys that concern one coverage model only.
 constexpr std::array grid_keys{"straight_reward", "turn_reward", "min_region_cells"};
-constexpr std::array swath_keys{
-    "hole_buffer_m", "edges",           "last_row",      "cells_may_differ", "min_strip_m",
-    "row_overlap_m", "headland_passes", "headland_turn", "turn_cost_m",      "avoidance"};
+constexpr std::array swath_keys{"hole_buffer_m",    "edges",         "last_row",
+                                "cells_may_differ", "min_strip_m",   "row_overlap_m",
+                                "headland_passes",  "headland_turn", "turn_cost_m"};
 
 planner::CoverageSettings read_grid(const Section& s, Length margin) {
   planner::CoverageSettings grid;
@@ -75,15 +75,15 @@ planner::SwathSettings read_swath(const Section& s, Length margin) {
   swath.headland_turn =
       static_cast<HeadlandTurn>(s.choice("headland_turn", {"clockwise", "counter_clockwise"}, 1));
   swath.turn_cost = metres(s.number("turn_cost_m", from_to(0, 1000), 5));
-  swath.avoidance = read_avoidance(s.section("avoidance"));
   return swath;
 }
 
 planner::CoverageModel read_coverage(const Section& s) {
   const bool is_grid = s.choice("model", {"grid", "swath"}, 1) == 0;
   const Length margin = metres(s.number("margin_m", from_to(0, 1000), 0));
-  const auto grid = read_grid(s, margin);
-  const auto swath = read_swath(s, margin);
+  auto grid = read_grid(s, margin);
+  auto swath = read_swath(s, margin);
+  grid.avoidance = swath.avoidance = read_avoidance(s.section("avoidance"));
   const auto refuse = [&](const auto& keys, const char* model) {
     for (const char* key : keys) {
       if (s.has(key)) s.fail(key, fmt::format("belongs to the coverage model {}", model));

@@ -51,7 +51,7 @@ struct Yardsticks {
 /// Who flies what and when.
 struct FleetPlan {
   planner::Route route;
-  std::optional<planner::SweepFigures> sweep{};  ///< Of the swath model.
+  std::optional<planner::SweepFigures> sweep{};  ///< As of planner::Coverage.
   double work_direction_deg;                     ///< Clockwise from north, as given or as found.
   std::vector<UavPlan> uavs;                     ///< In order of id.
   double makespan_s;     ///< Forecast mission time at which the last cell is sprayed.

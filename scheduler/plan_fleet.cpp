@@ -352,10 +352,10 @@ Expected<planner::FerryMap, PlanError> ferry_map(const FleetProblem& problem) {
   std::visit([&](const auto& settings) { rule.margin = settings.margin; }, problem.coverage);
   if (const auto* swath = std::get_if<planner::SwathSettings>(&problem.coverage)) {
     rule.hole_buffer = swath->hole_buffer;
-    if (swath->avoidance) {
-      for (Obstacle& o : field.obstacles) {
-        if (o.outline.empty()) o.radius += kept_safety * swath->avoidance->safety;
-      }
+  }
+  if (const auto& avoidance = planner::avoidance_of(problem.coverage)) {
+    for (Obstacle& o : field.obstacles) {
+      if (o.outline.empty()) o.radius += kept_safety * avoidance->safety;
     }
   }
   std::vector<FieldPoint> stands;

@@ -70,7 +70,7 @@ class Laying {
     return leg_m_;
   }
   double work(FieldPoint to, Speed speed, Corner corner = Corner::cut) {
-    return bent(around_.ferry_bends(at_, to), to, speed, corner);
+    return bent(ferry_bends(at_, to), to, speed, corner);
   }
   /// By the way points of an approach at their heights, where it has any; and on to `entry`.
   double approach(const Piece& piece, Speed speed, Corner corner) {
@@ -103,6 +103,13 @@ class Laying {
     if (!around_.is_too_near(at)) work(at, speed, corner);
   }
 
+  std::optional<std::vector<FieldPoint>> ferry_bends(FieldPoint from, FieldPoint to) {
+    auto found = around_.ferry_bends(from, to);
+    if (!found) return std::nullopt;
+    route_.leaves_land = route_.leaves_land || found->leaves_land;
+    return std::move(found->bends);
+  }
+
   // The way in plan of a ferry, around what was seen.
   std::vector<FieldPoint> led_around(const std::vector<FieldPoint>& way) {
     std::vector<FieldPoint> led{way.front()};
@@ -113,7 +120,7 @@ class Laying {
     };
     for (std::size_t i = 1; i < way.size(); ++i) {
       if (i + 1 < way.size() && around_.is_too_near(way[i])) continue;
-      const auto bends = around_.ferry_bends(led.back(), way[i]);
+      const auto bends = ferry_bends(led.back(), way[i]);
       if (!bends) block(leg_m, led.back(), way[i]);
       for (const FieldPoint bend : bends.value_or(std::vector<FieldPoint>{})) go_on(bend);
       go_on(way[i]);

@@ -43,6 +43,7 @@ struct SortieRoute {
   HeightProfile heights{};  ///< Over terrain, along the path.
   /// Where along the path an obstacle blocks it: nothing from there on may be flown. None: nowhere.
   std::optional<double> blocked_m{};
+  bool leaves_land = false;  ///< Around an obstacle, where no way on the land leads past it.
 
   /// Where along the path cell `index` of piece `piece` has its centre [m].
   double cell_m(std::size_t piece, std::uint32_t index) const;

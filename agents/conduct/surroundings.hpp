@@ -12,8 +12,16 @@ namespace furrow::agents {
 /// How obstacles are kept away from.
 struct AvoidanceRule {
   planner::Room planned{{}, {}, {}};  ///< The land with the obstacles that the plan knew.
+  planner::Room beyond{{}, {}, {}};   ///< The same without the field's boundary.
   Length clearance{};                 ///< From the edge of every other, >= 0.
   Length turn_radius = metres(1);     ///< Of detours with the valve open, > 0.
+};
+
+/// A ferry around what was seen.
+struct FerryBends {
+  std::vector<FieldPoint>
+      bends;                 ///< Every bend but the ends; none where the straight way is clear.
+  bool leaves_land = false;  ///< Between two places on the land, for want of a way on it.
 };
 
 class Surroundings {
@@ -45,17 +53,18 @@ class Surroundings {
                                                      Length swath) const;
 
   /// The same with the valve closed: inside the land where there is a way, else outside; tighter
-  /// turns where arcs of the turn radius do not fit; out of the clearance first, where it begins
-  /// too near.
+  /// turns where arcs of the turn radius do not fit, corners where none do; out of the clearance
+  /// first, where it begins too near.
   /// @return  Nothing where it ends too near to an obstacle.
-  std::optional<std::vector<FieldPoint>> ferry_bends(FieldPoint from, FieldPoint to) const;
+  std::optional<FerryBends> ferry_bends(FieldPoint from, FieldPoint to) const;
 
  private:
   double kept_m(const SeenObstacle& obstacle) const;
+  std::optional<FieldPoint> way_out(FieldPoint from) const;
 
   AvoidanceRule rule_;
   std::vector<SeenObstacle> seen_{};
-  planner::Room room_, open_room_;  ///< All that is known; and the same without edges.
+  planner::Room room_, open_room_;  ///< All that is known; and the same without the boundary.
 };
 
 }  // namespace furrow::agents

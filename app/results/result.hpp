@@ -183,7 +183,7 @@ struct Result {
   bool completed;  ///< Every cell of the route is sprayed, or is planned to be.
   FieldFigures field;
   std::optional<exchange::Datum> datum;        ///< Where on the globe the field frame lies.
-  std::optional<planner::SweepFigures> sweep;  ///< Of the swath model.
+  std::optional<planner::SweepFigures> sweep;  ///< As of planner::Coverage.
   std::optional<SurveyFigures> survey;         ///< Then there is nothing to cover.
   CoverageFigures coverage;
   FootprintFigures footprint;
@@ -193,6 +193,7 @@ struct Result {
   SolverFigures solver;
   DeviationFigures deviation;
   std::vector<StationFigures> stations;
+  std::vector<std::string> warnings;  ///< See app/results/warnings.hpp.
   std::vector<Violation> violations;
   LogFigures log;
   Timing timing;

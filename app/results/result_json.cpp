@@ -251,6 +251,7 @@ std::string result_json(const Result& r) {
            {"solver", json(r.solver)},
            {"deviation", json(r.deviation)},
            {"stations", list<StationFigures>(r.stations, json)},
+           {"warnings", r.warnings},
            {"laws", laws(r.violations)},
            {"log", {{"messages", r.log.messages}, {"digest", r.log.digest}}},
            {"timing", timing(r)},

@@ -19,7 +19,9 @@ void add_yardsticks(const MissionRecord& record, SolverFigures& f) {
   bool is_told = true;
   const bool is_level = record.plan.route.ferries.relief() == nullptr;
   const bool is_joint = record.plan.yardsticks && record.plan.yardsticks->is_joint;
-  bool is_bracketed = record.plan.sweep.has_value() && is_level && !is_joint;
+  const std::vector<planner::Strip>& strips = record.plan.route.strips;
+  const bool is_to_ends = std::all_of(strips.begin(), strips.end(), planner::sprays_ends);
+  bool is_bracketed = record.plan.sweep.has_value() && is_to_ends && is_level && !is_joint;
   std::map<StationId, planner::StationLengths> lengths;
   for (const scheduler::UavPlan& uav : record.plan.uavs) {
     if (uav.cells.count == 0) continue;

@@ -7,6 +7,7 @@
 #include "app/results/solver_figures.hpp"
 #include "app/results/sorties.hpp"
 #include "app/results/sweep_coverage.hpp"
+#include "app/results/warnings.hpp"
 #include "app/results/ways.hpp"
 #include "sim/checkers/separation.hpp"
 
@@ -434,6 +435,7 @@ Result summary(const MissionRecord& record, const Flown& flown) {
   r.solver = solver_figures(record);
   r.deviation = fleet_deviation(flown);
   r.stations = station_figures(record, flown, r.uavs);
+  r.warnings = warnings(r, record.log);
   r.violations = record.violations;
   r.log = {.messages = record.log.size(), .digest = digest(record.log)};
   r.timing = record.timing;

@@ -80,7 +80,8 @@ class Joiner {
          AvoidanceRecord& record)
       : settings_{settings}, room_{room}, ways_{field, settings}, record_{record} {}
 
-  void add(const SwathStrip& straight, const AvoidedStrip& around) {
+  void add(std::size_t row, const SwathStrip& straight, const AvoidedStrip& around) {
+    const Length least = least_length(straight);
     std::vector<FieldPoint> given = straight.approach;
     bool is_first_of_part = given.empty();
     std::vector<FieldPoint> closed;  // flown with the valve closed since the last strip
@@ -89,7 +90,7 @@ class Joiner {
         closed = stretch.line;
         continue;
       }
-      if (is_crumb(stretch.line)) continue;
+      if (metres(length_m(plane(stretch.line))) < least) continue;
       std::vector<FieldPoint> approach;
       if (!closed.empty() && follows(closed.front()) && follows(closed.back(), stretch.line)) {
         approach = closed;
@@ -97,13 +98,15 @@ class Joiner {
         approach = joined(given, stretch.line);
       }
       append(stretch.line, straight.width, approach);
+      rows_.resize(strips_.size(), row);
       closed.clear();
       given.clear();
       is_first_of_part = false;
     }
   }
 
-  std::vector<SwathStrip> strips() && { return std::move(strips_); }
+  const std::vector<SwathStrip>& strips() const { return strips_; }
+  const std::vector<std::size_t>& rows() const { return rows_; }
 
   // Two ends that no clear way inside the field joins.
   std::optional<std::pair<FieldPoint, FieldPoint>> gap() const { return gap_; }
@@ -116,8 +119,10 @@ class Joiner {
     return distance(place, line.front()) < metres(same_m);
   }
 
-  bool is_crumb(const std::vector<FieldPoint>& line) const {
-    return metres(length_m(plane(line))) < std::max(settings_.min_strip, metres(0.5));
+  // Shorter stretches are not worth the way; a row that was so short is.
+  Length least_length(const SwathStrip& straight) const {
+    const Length whole = distance(straight.from, straight.to) - metres(same_m);
+    return std::min(whole, std::max(settings_.min_strip, metres(0.5)));
   }
 
   // The way to a stretch from the strip before; `given` is how they were joined without obstacles.
@@ -173,6 +178,7 @@ class Joiner {
   Ways ways_;
   AvoidanceRecord& record_;
   std::vector<SwathStrip> strips_;
+  std::vector<std::size_t> rows_;  // of each strip
   std::optional<std::pair<FieldPoint, FieldPoint>> gap_;
 };
 
@@ -192,8 +198,7 @@ std::vector<SprayedRun> runs_of(const std::vector<SwathStrip>& strips, PointM or
 }
 
 // Lengths and areas of what the strips have become.
-void measure(SwathCoverage& made, const FieldLand& land) {
-  made.sprayed = made.route = {};
+void measure(RowsAround& made, const FieldLand& land) {
   for (const SwathStrip& strip : made.strips) {
     made.sprayed += distance(strip.from, strip.to);
     made.route += metres(length_m(plane(strip.approach)));
@@ -202,52 +207,85 @@ void measure(SwathCoverage& made, const FieldLand& land) {
   made.areas = sprayed_areas(runs_of(made.strips, land.origin), land.land);
 }
 
+PlanError cut_by_obstacles(const std::pair<FieldPoint, FieldPoint>& gap, Length safety) {
+  const auto& [from, to] = gap;
+  return {PlanFault::field_invalid,
+          fmt::format("obstacles cut the field: no way leads from ({:.1f}, {:.1f}) to ({:.1f}, "
+                      "{:.1f}) m with {} m to spare",
+                      from.x.base(), from.y.base(), to.x.base(), to.y.base(), safety.base())};
+}
+
+// What rows overlap by on purpose is not what detours spray twice.
+std::vector<StraightStrip> straight_strips(const std::vector<SwathStrip>& rows, Length overlap) {
+  std::vector<StraightStrip> strips;
+  strips.reserve(rows.size());
+  for (const SwathStrip& s : rows) strips.push_back({s.from, s.to, s.width - overlap});
+  return strips;
+}
+
+AvoidanceRecord record_of(const std::vector<StraightStrip>& strips, const Room& room,
+                          const AvoidanceSettings& settings, const AvoidanceFigures& planned) {
+  AvoidanceSettings half_circles = settings;
+  half_circles.method = AvoidanceMethod::classic;
+  return {.planned = planned,
+          .classic = plan_avoidance(strips, room, half_circles).figures,
+          .safety = settings.safety};
+}
+
 }  // namespace
 
-Expected<SwathCoverage, PlanError> coverage_around(const Field& field, Length swath,
-                                                   const SwathSettings& settings,
-                                                   std::optional<AvoidanceRecord>& record) {
+Field without_round_obstacles(Field field) {
+  std::erase_if(field.obstacles, [](const Obstacle& o) { return o.outline.empty(); });
+  return field;
+}
+
+Expected<RowsAround, PlanError> rows_around(const Field& field, const std::vector<SwathStrip>& rows,
+                                            const SwathSettings& settings) {
   require(settings.avoidance.has_value(), "obstacles are flown around by settings");
-  SwathSettings straight = settings;
-  straight.avoidance.reset();
-  Field ground = field;
-  std::erase_if(ground.obstacles, [](const Obstacle& o) { return o.outline.empty(); });
-  auto made = swath_coverage(ground, swath, straight);
-  if (!made) return made;
   const auto land = field_land(field, settings.margin, settings.hole_buffer);
   if (!land) return Unexpected{land.error()};
   const auto room = room_of(field, settings.margin, settings.hole_buffer,
                             settings.avoidance->safety + metres(tracking_room_m));
   if (!room) return Unexpected{room.error()};
 
-  // What rows overlap by on purpose is not what detours spray twice.
-  const Length overlap = settings.row_overlap.value_or(Length{});
-  std::vector<StraightStrip> strips;
-  for (const SwathStrip& s : made->strips) strips.push_back({s.from, s.to, s.width - overlap});
+  const auto strips = straight_strips(rows, settings.row_overlap.value_or(Length{}));
   const AvoidancePlan plan = plan_avoidance(strips, *room, *settings.avoidance);
-  AvoidanceSettings half_circles = *settings.avoidance;
-  half_circles.method = AvoidanceMethod::classic;
-  record = AvoidanceRecord{.planned = plan.figures,
-                           .classic = plan_avoidance(strips, *room, half_circles).figures,
-                           .safety = settings.avoidance->safety};
-
-  Joiner joiner{field, settings, *room, *record};
-  for (std::size_t i = 0; i < plan.strips.size(); ++i) joiner.add(made->strips[i], plan.strips[i]);
+  RowsAround made{.strips = {},
+                  .rows = {},
+                  .areas = {},
+                  .sprayed = {},
+                  .route = {},
+                  .record = record_of(strips, *room, *settings.avoidance, plan.figures)};
+  Joiner joiner{field, settings, *room, made.record};
+  for (std::size_t i = 0; i < plan.strips.size(); ++i) joiner.add(i, rows[i], plan.strips[i]);
   if (const auto gap = joiner.gap()) {
-    return Unexpected{PlanError{
-        PlanFault::field_invalid,
-        fmt::format("obstacles cut the field: no way leads from ({:.1f}, {:.1f}) to ({:.1f}, "
-                    "{:.1f}) m with {} m to spare",
-                    gap->first.x.base(), gap->first.y.base(), gap->second.x.base(),
-                    gap->second.y.base(), settings.avoidance->safety.base())}};
+    return Unexpected{cut_by_obstacles(*gap, settings.avoidance->safety)};
   }
-  made->strips = std::move(joiner).strips();
-  if (made->strips.empty()) {
+  made.strips = joiner.strips();
+  made.rows = joiner.rows();
+  if (made.strips.empty()) {
     return Unexpected{
         PlanError{PlanFault::nothing_to_spray, "obstacles leave no strip that can be flown"}};
   }
-  made->strips.front().approach.clear();
-  measure(*made, *land);
+  made.strips.front().approach.clear();
+  measure(made, *land);
+  return made;
+}
+
+Expected<SwathCoverage, PlanError> coverage_around(const Field& field, Length swath,
+                                                   const SwathSettings& settings,
+                                                   std::optional<AvoidanceRecord>& record) {
+  SwathSettings straight = settings;
+  straight.avoidance.reset();
+  auto made = swath_coverage(without_round_obstacles(field), swath, straight);
+  if (!made) return made;
+  auto around = rows_around(field, made->strips, settings);
+  if (!around) return Unexpected{around.error()};
+  record = around->record;
+  made->strips = std::move(around->strips);
+  made->areas = around->areas;
+  made->sprayed = around->sprayed;
+  made->route = around->route;
   return made;
 }
 

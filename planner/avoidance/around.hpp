@@ -17,6 +17,28 @@ struct AvoidanceRecord {
   std::size_t unjoined = 0;  ///< Strips to which no clear way inside leads from the one before.
 };
 
+/// Rows led around the round obstacles of a field.
+struct RowsAround {
+  std::vector<SwathStrip> strips;  ///< As of `coverage_around`, in the order flown; may be none.
+  std::vector<std::size_t> rows;   ///< The row that each strip is of.
+  SprayedAreas areas;
+  Length sprayed, route;
+  AvoidanceRecord record;
+};
+
+/// Leads straight rows around the obstacles of `field`, and joins what is left of them.
+///
+/// @param rows      In the order flown; not empty.
+/// @param settings  Margin, hole buffer, row overlap, least strip and avoidance count.
+/// @pre    `settings.avoidance` has a value.
+/// @error  field_invalid     See `field_land`; or obstacles cut the field.
+/// @error  nothing_to_spray  No strip is left.
+Expected<RowsAround, PlanError> rows_around(const Field& field, const std::vector<SwathStrip>& rows,
+                                            const SwathSettings& settings);
+
+/// `field` without its round obstacles: what rows are laid on that run on past them.
+Field without_round_obstacles(Field field);
+
 /// `swath_coverage` with rows that run on past round obstacles and fly around them. Each leg of a
 /// detour is a strip of its own that begins where the one before ends. Outlined obstacles end rows.
 ///

@@ -76,12 +76,14 @@ Room::Room(std::vector<CircleM> circles, std::vector<BarrierM> barriers, const L
 
 Room Room::with(std::vector<CircleM> more) const {
   more.insert(more.begin(), circles_.begin(), circles_.end());
-  Room room{std::move(more), barriers_, {}};
+  return with_only(std::move(more));
+}
+
+Room Room::with_only(std::vector<CircleM> circles) const {
+  Room room{std::move(circles), barriers_, {}};
   room.parts_ = parts_;
   return room;
 }
-
-Room Room::without_edges() const { return {circles_, barriers_, {}}; }
 
 std::vector<std::size_t> Room::circles_near(PointM a, PointM b, double more_m) const {
   const double reach_m = widest_m_ + more_m;

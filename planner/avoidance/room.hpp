@@ -31,8 +31,8 @@ class Room {
   /// The same with more circles.
   Room with(std::vector<CircleM> more) const;
 
-  /// The same circles and barriers, anywhere.
-  Room without_edges() const;
+  /// The same land and barriers with these circles.
+  Room with_only(std::vector<CircleM> circles) const;
 
   const std::vector<CircleM>& circles() const { return circles_; }
   const std::vector<BarrierM>& barriers() const { return barriers_; }

@@ -1,5 +1,6 @@
 #include "planner/coverage/cover.hpp"
 
+#include "planner/avoidance/walk_around.hpp"
 #include "planner/coverage/swath/swath_route.hpp"
 
 namespace furrow::planner {
@@ -14,6 +15,23 @@ Expected<Coverage, PlanError> walked(const Field& field, Length swath,
     if (!route->strips[i].continues) leaps.push_back(i);
   }
   return Coverage{std::move(*route), settings.work_direction_deg, std::move(leaps), std::nullopt};
+}
+
+Expected<Coverage, PlanError> walked_around(const Field& field, Length swath,
+                                            const CoverageSettings& settings) {
+  auto walk = walk_around(field, swath, settings);
+  if (!walk) return Unexpected{walk.error()};
+  const RowsAround& rows = walk->rows;
+  const SweepFigures figures{.areas = rows.areas,
+                             .dropped = {},
+                             .sprayed = rows.sprayed,
+                             .route = rows.route,
+                             .order_bound = rows.sprayed,
+                             .order_exact = false,
+                             .parts = 1,
+                             .avoidance = rows.record};
+  return Coverage{std::move(walk->route), settings.work_direction_deg, std::move(walk->leaps),
+                  figures};
 }
 
 Expected<Coverage, PlanError> swept(const Field& field, Length swath,
@@ -39,8 +57,18 @@ Expected<Coverage, PlanError> swept(const Field& field, Length swath,
 
 }  // namespace
 
+const std::optional<AvoidanceSettings>& avoidance_of(const CoverageModel& model) {
+  return std::visit(
+      [](const auto& settings) -> const std::optional<AvoidanceSettings>& {
+        return settings.avoidance;
+      },
+      model);
+}
+
 Expected<Coverage, PlanError> cover(const Field& field, Length swath, const CoverageModel& model) {
-  if (const auto* grid = std::get_if<CoverageSettings>(&model)) return walked(field, swath, *grid);
+  if (const auto* grid = std::get_if<CoverageSettings>(&model)) {
+    return grid->avoidance ? walked_around(field, swath, *grid) : walked(field, swath, *grid);
+  }
   return swept(field, swath, std::get<SwathSettings>(model));
 }
 

@@ -19,19 +19,23 @@ struct SweepFigures {
   SprayedAreas areas;     ///< From the union of footprints of the strips as planned.
   Area dropped;           ///< What strips below the least length would have sprayed.
   Length sprayed, route;  ///< The strips; the strips and their connections.
-  Length order_bound;     ///< No order of the same groups of rows is shorter.
+  Length order_bound;     ///< No order of the same groups of rows is shorter; of a grid: `sprayed`.
   bool order_exact;
   std::uint32_t parts;  ///< Pieces into which margin and holes split the field.
   std::optional<AvoidanceRecord> avoidance{};  ///< Where obstacles are flown around.
 };
 
+/// How `model` flies around round obstacles, if it does.
+const std::optional<AvoidanceSettings>& avoidance_of(const CoverageModel& model);
+
 struct Coverage {
   Route route;
   double direction_deg;  ///< Heading of the strips, clockwise from north.
   /// Strips that no way inside the land leads to from the strip before: of the grid model all that
-  /// do not continue it, of the swath model the first of each further part of the field.
+  /// do not continue it, but for those behind an obstacle, of the swath model the first of each
+  /// further part of the field.
   std::vector<std::size_t> leaps;
-  std::optional<SweepFigures> sweep;  ///< Of the swath model.
+  std::optional<SweepFigures> sweep;  ///< Of the swath model, and of a grid with `avoidance`.
 };
 
 /// Covers `field` by `model`.

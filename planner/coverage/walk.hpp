@@ -2,6 +2,7 @@
 
 #include "core/expected.hpp"
 #include "core/field.hpp"
+#include "planner/avoidance/settings.hpp"
 #include "planner/coverage/route.hpp"
 #include "planner/plan_error.hpp"
 
@@ -21,6 +22,9 @@ struct CoverageSettings {
   /// Without a start: the walk begins in the corner nearest to this place, or to the south-western
   /// end of the field.
   std::optional<FieldPoint> near{};
+  /// The walk runs on over round obstacles, which are flown around (see `walk_around`); without,
+  /// their cells are left out.
+  std::optional<AvoidanceSettings> avoidance{};
 };
 
 /// Covers `field` by the probability walk: from each cell to the neighbour of largest probability,

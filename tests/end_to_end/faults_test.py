@@ -42,7 +42,7 @@ class Faults(Furrow):
         self.assertLessEqual(result["faults"][0]["noticed_s"], 601)
 
     def test_a_tree_that_no_map_shows_is_flown_around_by_sim_and_run_alike(self):
-        for scenario in ("surprise_tree.yaml", "surprise_hill.yaml"):
+        for scenario in ("surprise_tree.yaml", "surprise_hill.yaml", "orchard_grid.yaml"):
             _, events = self.flown_alike(scenario)
             self.assertIn(b"obstacle_planned", events)
 

@@ -94,6 +94,10 @@ TEST_CASE("flown as planned: around a tree that no map shows, by all laws and ev
   fly_around_surprises("surprise_tree", 1);
 }
 
+TEST_CASE("flown as planned: around trees among cells, by all laws and every cell once", "[sim]") {
+  fly_around_surprises("orchard_grid", 1);
+}
+
 TEST_CASE("flown as planned: around trees on a hill, by all laws and every cell once", "[sim]") {
   fly_around_surprises("surprise_hill", 2);
 }

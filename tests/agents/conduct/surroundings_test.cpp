@@ -95,12 +95,33 @@ TEST_CASE("a strip without room for a detour is blocked before the clearance") {
   CHECK(*route.blocked_m == Approx(46.5));  // half a metre before 50 - 3
 }
 
+TEST_CASE("a strip of no length is blocked where an obstacle stands on it") {
+  const Surroundings around = alley(20, {tree(0, 50)});
+  CHECK_FALSE(around.strip_bends(at_m(0, 50), at_m(0, 50), metres(2)));
+  CHECK(around.strip_bends(at_m(0, 40), at_m(0, 40), metres(2))->empty());
+}
+
+TEST_CASE("a ferry among trees that leave no room for curves goes by corners between them") {
+  // It ends 0.1 m beside the clearance of the last tree.
+  const Surroundings around = alley(20, {tree(0, 50), tree(6.3, 50), tree(0.5, 94.8)});
+  const auto way = around.ferry_bends(at_m(0, 0), at_m(0, 98));
+  REQUIRE(way);
+  CHECK_FALSE(way->leaves_land);
+  planner::PathM path{{0, 0}};
+  for (const FieldPoint bend : way->bends) path.push_back({bend.x.base(), bend.y.base()});
+  path.push_back({0, 98});
+  for (const SeenObstacle& o : around.seen()) {
+    CHECK(planner::distance_m({o.center.x.base(), o.center.y.base()}, path) >= 3 - 1e-6);
+  }
+}
+
 TEST_CASE("a ferry leaves the land where there is no way around inside") {
   const Surroundings around = alley(2.9, {tree(0, 50)});
   CHECK_FALSE(around.strip_bends(at_m(0, 0), at_m(0, 98), metres(2)));
   const auto way = around.ferry_bends(at_m(0, 0), at_m(0, 98));
   REQUIRE(way);
-  for (const FieldPoint bend : *way) CHECK_FALSE(around.is_too_near(bend));
+  CHECK(way->leaves_land);
+  for (const FieldPoint bend : way->bends) CHECK_FALSE(around.is_too_near(bend));
 }
 
 TEST_CASE(
@@ -108,7 +129,7 @@ TEST_CASE(
   const Surroundings around = alley(20, {tree(0, 50)});
   const auto out = around.ferry_bends(at_m(0, 48), at_m(0, 98));
   REQUIRE(out);
-  CHECK(distance(out->front(), at_m(0, 47)).base() == Approx(0.05));
+  CHECK(distance(out->bends.front(), at_m(0, 47)).base() == Approx(0.05));
   CHECK_FALSE(around.ferry_bends(at_m(0, 0), at_m(0, 51)));
 }
 

@@ -1,0 +1,38 @@
+#include "app/results/warnings.hpp"
+
+#include <fmt/format.h>
+
+namespace furrow::app {
+namespace {
+
+void add_uncovered(const Result& result, std::vector<std::string>& all) {
+  if (!result.sweep) return;
+  const planner::SprayedAreas& areas = result.sweep->areas;
+  const double share = areas.missed / (areas.covered + areas.missed);
+  if (!(share > 1e-3)) return;
+  all.push_back(fmt::format("the planned rows leave {:.0f} m2 of the field unsprayed, {:.2f} %",
+                            areas.missed.base(), 100 * share));
+}
+
+void add_strayed(const Result& result, std::vector<std::string>& all) {
+  if (!(result.fleet.outside_at_work_m > 0.5)) return;
+  all.push_back(
+      fmt::format("ways between rows lead {:.0f} m over ground outside the field or in holes",
+                  result.fleet.outside_at_work_m));
+}
+
+}  // namespace
+
+std::vector<std::string> warnings(const Result& result, const std::vector<Envelope>& log) {
+  std::vector<std::string> all;
+  add_uncovered(result, all);
+  add_strayed(result, all);
+  for (const Envelope& envelope : log) {
+    const auto* const event = std::get_if<Event>(&envelope.body);
+    if (event == nullptr || event->kind != "land_left") continue;
+    all.push_back(fmt::format("at {:.1f} s: {}", seconds(envelope.sent).base(), event->detail));
+  }
+  return all;
+}
+
+}  // namespace furrow::app

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "planner/avoidance/around.hpp"
+#include "planner/coverage/route.hpp"
+#include "planner/coverage/walk.hpp"
+
+#include <vector>
+
+namespace furrow::planner {
+
+/// A walk of cells that is led around round obstacles.
+struct WalkAround {
+  Route route;
+  std::vector<std::size_t> leaps;  ///< Strips to which no way leads yet from the strip before.
+  RowsAround rows;
+};
+
+/// `coverage_route` over the cells of round obstacles too, each of which is flown around with the
+/// valve open or closed, whichever costs less; outlined obstacles are left out as cells.
+///
+/// Rows and the steps between them that meet no obstacle stay as they are, sprayed from centre to
+/// centre. Others become strips sprayed from end to end, a detour one for each of its legs. No
+/// corner is cut near to an obstacle.
+///
+/// @pre    `settings.avoidance` has a value.
+/// @error  As `coverage_route` and `rows_around`.
+Expected<WalkAround, PlanError> walk_around(const Field& field, Length swath,
+                                            const CoverageSettings& settings);
+
+}  // namespace furrow::planner
