@@ -43,8 +43,10 @@ Draft with_best_stations(const Desk& desk, std::vector<Share> shares) {
   }
   Forecast best = forecast(itineraries, desk.stations);
   for (std::size_t u = 0; u < shares.size(); ++u) {
-    for (std::uint32_t s = 0; s < desk.stations.size(); ++s) {
-      if (s == shares[u].station || shares[u].strips.count == 0) continue;
+    if (shares[u].strips.count == 0) continue;
+    const std::uint32_t first = desk.route.strips[shares[u].strips.first].cells.first;
+    for (const std::uint32_t s : near_stations(desk.lengths, first)) {
+      if (s == shares[u].station) continue;
       Share moved = shares[u];
       moved.station = s;
       Itinerary other = rough_itinerary(desk, u, moved);

@@ -8,12 +8,20 @@ namespace {
 
 constexpr double tolerance_s = 0.05;
 
+/// Those of the aircraft's stations that are worth trying for strips from `first` on.
+std::vector<std::uint32_t> stations_of(const PartitionProblem& p, std::size_t uav,
+                                       std::uint32_t first) {
+  if (p.paces[uav].size() == 1) return {0};
+  return near_stations(p.lengths, p.route.strips[first].cells.first);
+}
+
 /// All the strips from `first` on that the aircraft can spray by `finish_s`, from its best station.
 Share longest_share(const PartitionProblem& p, std::size_t uav, std::uint32_t first,
                     double finish_s) {
   const double ready_s = p.ready_s.empty() ? 0.0 : p.ready_s[uav];
   Share best{.strips = {first, 0}, .station = 0, .finish_s = 0.0};
-  for (std::uint32_t s = 0; s < p.paces[uav].size(); ++s) {
+  if (first == p.route.strips.size()) return best;
+  for (const std::uint32_t s : stations_of(p, uav, first)) {
     Share share{.strips = {first, 0}, .station = s, .finish_s = 0.0};
     GrowingShare growing{p.route, p.lengths, p.paces[uav][s], first};
     while (growing.can_grow()) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 namespace furrow::scheduler {
 namespace {
@@ -46,6 +47,19 @@ RouteLengths route_lengths(const planner::Route& route, std::span<const Station>
     }
   }
   return lengths;
+}
+
+std::vector<std::uint32_t> near_stations(const RouteLengths& lengths, std::uint32_t cell) {
+  constexpr std::size_t most = 4;
+  std::vector<std::uint32_t> near(lengths.home_m.size());
+  std::iota(near.begin(), near.end(), 0u);
+  if (near.size() <= most) return near;
+  std::stable_sort(near.begin(), near.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return lengths.home_m[a][cell] < lengths.home_m[b][cell];
+  });
+  near.resize(most);
+  std::sort(near.begin(), near.end());
+  return near;
 }
 
 const std::vector<double>& FirstFlights::from(FieldPoint home) {

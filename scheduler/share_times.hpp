@@ -28,6 +28,10 @@ struct RouteLengths {
 
 RouteLengths route_lengths(const planner::Route& route, std::span<const Station> stations);
 
+/// The stations that a share beginning with `cell` may gain by: the four nearest to it, by number.
+/// To try more takes a fleet of many stations time and finds nothing.
+std::vector<std::uint32_t> near_stations(const RouteLengths& lengths, std::uint32_t cell);
+
 /// What sets the time of a share, in metres and seconds.
 struct Pace {
   double spray_mps, ferry_mps;
