@@ -7,7 +7,9 @@
 #include "scheduler/plan_fleet.hpp"
 #include "scheduler/takeover.hpp"
 
+#include <algorithm>
 #include <benchmark/benchmark.h>
+#include <cmath>
 
 namespace furrow::scheduler {
 namespace {
@@ -89,6 +91,57 @@ void BM_plan_field_a(benchmark::State& state) {
   plan(state, field_a(static_cast<std::uint32_t>(state.range(0))));
 }
 BENCHMARK(BM_plan_field_a)->Arg(1)->Arg(3)->Unit(benchmark::kMillisecond);
+
+// Ten aircraft and one bay on the field of Wang et al.: what a larger budget of the joint search
+// still finds. 10 is what scenarios have by default.
+void BM_plan_by_budget(benchmark::State& state) {
+  FleetProblem p = field_a(10);
+  p.solver.returns = planner::ReturnStrategy::joint;
+  p.solver.budget_s = static_cast<double>(state.range(0));
+  plan(state, p);
+}
+BENCHMARK(BM_plan_by_budget)
+    ->Arg(1)
+    ->Arg(10)
+    ->Arg(60)
+    ->Arg(600)
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(1);
+
+// Five hectares for each aircraft, a station of three bays for every twenty.
+FleetProblem growing_fleet(std::uint32_t uavs) {
+  constexpr double each_m2 = 50'000, deepest_m = 2500;
+  const double deep_m = std::min(std::sqrt(each_m2 * uavs), deepest_m);
+  const double wide_m = each_m2 * uavs / deep_m;
+  const std::uint32_t count = std::max(uavs / 20, 1u);
+  std::vector<Station> stations;
+  for (std::uint32_t s = 0; s < count; ++s) {
+    stations.push_back(station(s + 1, 3, at_m(wide_m * (s + 0.5) / count, -20)));
+  }
+  FleetProblem p = problem({at_m(0, 0), at_m(wide_m, 0), at_m(wide_m, deep_m), at_m(0, deep_m)},
+                           stations, uavs, 10);
+  p.solver.returns = planner::ReturnStrategy::joint;
+  planner::SwathSettings rows;
+  rows.direction_deg = 0.0;
+  p.coverage = rows;
+  for (Vehicle& v : p.vehicles) {
+    v.swath = metres(8);
+    v.spray_speed = metres_per_second(6);
+    v.ferry_speed = metres_per_second(12);
+    v.flight_endurance = seconds(1200.0);
+    v.spray_endurance = seconds(277.8);  // 20 L at 15 L/ha
+  }
+  return p;
+}
+
+void BM_plan_growing_fleet(benchmark::State& state) {
+  plan(state, growing_fleet(static_cast<std::uint32_t>(state.range(0))));
+}
+BENCHMARK(BM_plan_growing_fleet)
+    ->RangeMultiplier(10)
+    ->Range(1, 1000)
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(1);
 
 void BM_plan_hundred_hectares(benchmark::State& state) { plan(state, hundred_hectares()); }
 BENCHMARK(BM_plan_hundred_hectares)->Unit(benchmark::kMillisecond)->Iterations(1);
