@@ -13,7 +13,8 @@ constexpr double no_stop = std::numeric_limits<double>::infinity();
 constexpr double hover_m = 0.5;        // a hovering aircraft is where it means to be, within this
 constexpr double tank_slack_m = 1e-3;  // rounding of a tank filled to the very metre
 constexpr double way_home_slack_s = 2.0;
-constexpr int most_strays = 3;  // from one cell, until it gives up
+constexpr double hover_slack_s = 4.0;  // until others are out of the way
+constexpr int most_strays = 3;         // from one cell, until it gives up
 
 }  // namespace
 
@@ -23,6 +24,7 @@ bool AgentNode::is_airborne() const {
 }
 
 void AgentNode::fly_one_period(Instant t) {
+  if (settings_.airspace) mind_traffic(last_tick_);
   last_tick_ = t;
   truth_before_m_ = aircraft_.truth_m();
   aircraft_.fly(stop_m_);
@@ -39,7 +41,7 @@ void AgentNode::fly_one_period(Instant t) {
 
 void AgentNode::keep_height() {
   const double wanted_m = route_->heights.altitude_m(aircraft_.along_m());
-  climb_s_ += aircraft_.climb_to(wanted_m, settings_.ferries.relief()->rule());
+  climb_s_ += aircraft_.climb_to(wanted_m, height_rule());
 }
 
 void AgentNode::note_place(Instant t) {
@@ -131,7 +133,7 @@ void AgentNode::end_piece(Instant t) {
   if (route_piece_ == route_->pieces.size()) {
     phase_ = Phase::fly_back;
     leaving_.reset();
-    stop_m_ = before_blockage_m(no_stop);
+    if (is_way_home_clear_) stop_m_ = before_blockage_m(no_stop);
     sortie_.spray_ended = t;
     sortie_.returned_at = exit;
   }
@@ -193,7 +195,8 @@ void AgentNode::return_to_line(Instant t) {
 void AgentNode::watch_stores(Instant t) {
   const bool must_go_home = leaving_ && *leaving_ != CloseReason::superseded;
   if (must_go_home) return;
-  if (!reaches_home()) return leave(CloseReason::battery_low, t);
+  const double slack_s = way_home_slack_s + (settings_.airspace ? hover_slack_s : 0.0);
+  if (!reaches_home(slack_s)) return leave(CloseReason::battery_low, t);
   if (leaving_ || route_piece_ >= route_->pieces.size()) return;
 
   const double tank_m = aircraft_.stores.spray_left_m(vehicle_) + tank_slack_m;
@@ -207,12 +210,12 @@ void AgentNode::watch_stores(Instant t) {
 }
 
 // The way home is looked up only where the last one and the way since do not answer.
-bool AgentNode::reaches_home() {
+bool AgentNode::reaches_home(double slack_s) {
   const double brake_s =
       2.0 * aircraft_.pilot().pace().speed_mps() / planned_acceleration_mps2(vehicle_);
   const Xy here = aircraft_.estimate_m();
   const auto suffices = [&](double home_m) {
-    const double need_s = straight_way_s(home_m, vehicle_) + brake_s + way_home_slack_s;
+    const double need_s = straight_way_s(home_m, vehicle_) + brake_s + slack_s;
     return aircraft_.stores.flight_left_s(vehicle_) >= need_s;
   };
   if (way_home_ && way_home_->station == home_.id &&
@@ -279,6 +282,7 @@ void AgentNode::come_to_rest(Instant t) {
   if (leaving_) return fly_home(t);
   if (is_astray_) return return_to_line(t);
   if (is_blocked()) return meet_blockage(t);
+  if (awaits_way()) return;
   if (phase_ == Phase::fly_back) return land(t);
   if (phase_ != Phase::hold && stop_m_ < no_stop) begin_hold(t);
 }
@@ -310,16 +314,19 @@ void AgentNode::fly_home(Instant t) {
 }
 
 void AgentNode::go_home() {
-  follow(sortie_route(aircraft_.estimate_m(), {}, xy_m(home_.position), vehicle_, settings_.ferries,
-                      around_));
+  follow(lay(aircraft_.estimate_m(), {}, aircraft_.altitude_m()));
   phase_ = Phase::fly_back;
-  stop_m_ = before_blockage_m(no_stop);
+  stop_m_ = is_way_out_clear_ ? before_blockage_m(no_stop) : 0.0;
 }
 
 void AgentNode::follow(SortieRoute route) {
   if (route_) flown_m_ += aircraft_.pilot().pace().along_m();
   note_outside(route);
   route_ = std::move(route);
+  laid_altitude_m_ = aircraft_.altitude_m();
+  slot_.drop();
+  is_way_out_clear_ = !settings_.airspace || first_way_m(*route_) < 2.0 * vehicle_.swath.base();
+  is_way_home_clear_ = !settings_.airspace;
   laid_from_m_ = route_->path.segments().front().from;  // the estimate moves at take-off
   aircraft_.follow(route_->path);
   route_piece_ = 0;
@@ -336,8 +343,7 @@ void AgentNode::relicense() {
   if (route_->pieces.empty()) {  // hovers without a way: a new order came
     const auto rest = order_->rest_of_sortie();
     home_ = haven();
-    follow(sortie_route(aircraft_.estimate_m(), rest, xy_m(home_.position), vehicle_,
-                        settings_.ferries, around_));
+    follow(lay(aircraft_.estimate_m(), rest, aircraft_.altitude_m()));
   }
   stop_m_ = before_blockage_m(licensed_stop_m());
   if (phase_ == Phase::hold) end_hold();
@@ -345,6 +351,7 @@ void AgentNode::relicense() {
 
 // The last licensed cell before the first that is not.
 double AgentNode::licensed_stop_m() const {
+  if (!is_way_out_clear_) return 0.0;
   double stop_m = no_stop;  // of what lies before
   for (std::size_t i = route_piece_; i < route_->pieces.size(); ++i) {
     const PieceOnPath& piece = route_->pieces[i];
@@ -356,7 +363,7 @@ double AgentNode::licensed_stop_m() const {
     }
     stop_m = piece.has_tail() ? piece.close_m : route_->cell_m(i, cells.count - 1);
   }
-  return no_stop;
+  return is_way_home_clear_ ? no_stop : stop_m;
 }
 
 void AgentNode::flush_flight_log() {

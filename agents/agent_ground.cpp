@@ -61,6 +61,7 @@ void AgentNode::replace_order(const Command& command, Instant now) {
     if (!revises) ledger_.restart();
   }
   order_ = std::move(next);
+  if (!is_airborne() && !diverts_) slot_.drop();
   bool is_news = false;
   for (const SeenObstacle& o : order_->obstacles()) is_news |= around_.learn(o);
   is_running_ = is_running_ && goes_on;
@@ -105,8 +106,11 @@ void AgentNode::live_until(Instant now) {
     if (is_airborne() || phase_ == Phase::offline) return;
     if (visit_ && visit_->is_served(now)) {
       leave_bay();
+    } else if (diverts_ && may_work()) {
+      try_divert(now);
+      if (!is_airborne()) return;
     } else if (is_prepared_ && is_licensed() && may_work()) {
-      try_take_off(ready_);
+      try_take_off(now);
       if (!is_airborne()) return;
     } else {
       return;
@@ -198,10 +202,19 @@ bool AgentNode::go_elsewhere(Instant t) {
   report_sortie();
   home_ = *other;
   note("goes_elsewhere", "goes to station " + std::to_string(number(other->id)));
-  take_off(sortie_route(aircraft_.estimate_m(), {}, xy_m(home_.position), vehicle_,
-                        settings_.ferries, around_),
-           t);
+  diverts_ = true;
+  slot_.drop();
+  try_divert(t);
   return true;
+}
+
+void AgentNode::try_divert(Instant now) {
+  const bool may_go = !settings_.airspace || may_take_off(now);
+  if (!may_go && slot_.is_asked()) return;
+  SortieRoute route = lay(aircraft_.estimate_m(), {}, 0.0);
+  if (!may_go) return ask_to_take_off(route, now);
+  diverts_ = false;
+  take_off(std::move(route), ready_);
 }
 
 const Station* AgentNode::nearest_open(FieldPoint from) const {
@@ -240,7 +253,10 @@ bool AgentNode::is_licensed() const {
   return ledger_.licensed_to(order_->next_cell()) > order_->next_cell();
 }
 
-void AgentNode::try_take_off(Instant t) {
+void AgentNode::try_take_off(Instant now) {
+  const bool may_go = !settings_.airspace || may_take_off(now);
+  if (!may_go && slot_.is_asked()) return;
+  const Instant t = ready_;
   const auto rest = order_->rest_of_sortie();
   home_ = haven();
   const FieldPoint here = field_point(aircraft_.estimate_m()), entry = rest.front().entry;
@@ -252,9 +268,9 @@ void AgentNode::try_take_off(Instant t) {
     return give_up(CloseReason::battery_low,
                    lack_.empty() ? cell + " is out of reach of one pack" : lack_, t);
   }
-  SortieRoute route = sortie_route(aircraft_.estimate_m(), rest, xy_m(home_.position), vehicle_,
-                                   settings_.ferries, around_);
+  SortieRoute route = lay(aircraft_.estimate_m(), rest, 0.0);
   if (lacks_mix(route)) return give_up(CloseReason::tank_low, lack_, t);
+  if (!may_go) return ask_to_take_off(route, now);
   take_off(std::move(route), t);
 }
 
@@ -292,6 +308,7 @@ void AgentNode::take_off(SortieRoute route, Instant t) {
   aircraft_.take_off();
   aircraft_.start_at(route.heights.altitude_m(0.0));
   follow(std::move(route));
+  is_way_out_clear_ = true;
   phase_ = works ? Phase::fly_out : Phase::fly_back;
   if (!works) stop_m_ = before_blockage_m(no_stop);
   log_.point(last_tick_, aircraft_.truth_m(), aircraft_.altitude_m(), false);
@@ -304,6 +321,7 @@ void AgentNode::take_off(SortieRoute route, Instant t) {
 
 void AgentNode::land(Instant t) {
   aircraft_.land();
+  slot_.drop();
   if (t != on_grid(t, whole_second))
     log_.point(t, aircraft_.truth_m(), aircraft_.altitude_m(), false);
   flush_flight_log();
@@ -343,6 +361,8 @@ void AgentNode::fall(Instant t) {
 
 void AgentNode::finish(Instant t) {
   report_sortie();
+  diverts_ = false;
+  slot_.drop();
   phase_ = Phase::done;
   is_prepared_ = true;
   note("order_done", "has done its order at " + fixed(seconds(t).base(), 1) + " s");

@@ -39,6 +39,7 @@ void AgentNode::receive(const Body& body, Instant now) {
       relicense();
     }
   }
+  if (const auto* grant = std::get_if<FlightGrant>(&body)) receive_grant(*grant, now);
   if (const auto* grant = std::get_if<ServiceGrant>(&body)) {
     if (grant->agent == vehicle_.id && visit_ && visit_->accept(*grant)) {
       if (visit_->is_refused()) return go_without(now);
@@ -96,6 +97,7 @@ void AgentNode::heartbeat(Instant now) {
   next_state_ = next_on_grid(now, whole_second);
   send(state());
   report_obstacles();
+  if (slot_.is_open()) send(slot_.claim());
   if (visit_ && (!visit_->is_released() || visit_->repeat_release())) send(visit_->claim());
   if (!is_scheduler_lost_ && order_ && !is_mission_over_ &&
       now > scheduler_heard_ + settings_.scheduler_lease) {
@@ -135,6 +137,7 @@ Instant AgentNode::wake_after(Instant now) const {
   if (visit_ && !visit_->is_waiting() && !visit_->is_released() && visit_->grant().ready > now) {
     wake = std::min(wake, visit_->grant().ready);
   }
+  if (slot_.is_clear() && slot_.departs() > now) wake = std::min(wake, slot_.departs());
   return wake;
 }
 
@@ -145,6 +148,7 @@ Instant AgentNode::next_flight_event(Instant now) const {
     const PieceOnPath& piece = route_->pieces[route_piece_];
     target_m = std::min(target_m, progress_m_ < piece.open_m ? piece.open_m : piece.close_m);
   }
+  if (is_way_home_due()) target_m = std::min(target_m, claim_from_m());
   const double rest_m = target_m - aircraft_.along_m();
   if (phase_ == Phase::hold && !leaving_ && !is_astray_) return never;
   const double speed_mps = std::max(vehicle_.ferry_speed, vehicle_.spray_speed).base();

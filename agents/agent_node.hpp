@@ -3,6 +3,7 @@
 #include "agents/aircraft.hpp"
 #include "agents/conduct/bay_visit.hpp"
 #include "agents/conduct/flight_log.hpp"
+#include "agents/conduct/flight_slot.hpp"
 #include "agents/conduct/order.hpp"
 #include "agents/conduct/sortie_route.hpp"
 #include "agents/conduct/work_ledger.hpp"
@@ -12,6 +13,7 @@
 
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -60,7 +62,7 @@ class AgentNode {
   void stray(Instant t);
   void return_to_line(Instant t);
   void watch_stores(Instant t);
-  bool reaches_home();
+  bool reaches_home(double slack_s);
   double detour_factor() const;
   void keep_height();
   void leave(CloseReason reason, Instant t);
@@ -85,6 +87,23 @@ class AgentNode {
   bool is_blocked() const;
   void meet_blockage(Instant t);
   double before_blockage_m(double stop_m) const;
+
+  // agent_traffic.cpp: the air it shares.
+  void receive_grant(const FlightGrant& grant, Instant now);
+  void mind_traffic(Instant begins);
+  void wait_for_way(Instant begins);
+  void claim_way_home(Instant begins);
+  void open_way();
+  void ask_for_way(Departure departure, Instant at);
+  void announce_way();
+  bool may_take_off(Instant now);
+  void ask_to_take_off(const SortieRoute& route, Instant now);
+  bool awaits_way() const;
+  bool is_way_home_due() const;
+  double work_end_m() const;
+  double claim_from_m() const;
+  const planner::HeightRule& height_rule() const;
+  SortieRoute lay(Xy from_m, std::span<const Piece> pieces, double altitude_m) const;
 
   // agent_operator.cpp: what the operator lets it do.
   void obey(const OperatorState& state, Instant now);
@@ -111,12 +130,13 @@ class AgentNode {
   void leave_bay();
   void go_without(Instant t);
   bool go_elsewhere(Instant t);
+  void try_divert(Instant now);
   const Station* nearest_open(FieldPoint from) const;
   const Station& haven() const;
   void note_lack(bool swap, double fill);
   bool lacks_mix(const SortieRoute& route) const;
   void give_up(CloseReason reason, std::string why, Instant t);
-  void try_take_off(Instant t);
+  void try_take_off(Instant now);
   bool is_licensed() const;
   void take_off(SortieRoute route, Instant t);
   void land(Instant t);
@@ -156,6 +176,7 @@ class AgentNode {
   Station home_{};
   std::optional<SortieRoute> route_;
   Xy laid_from_m_{};  // where the route begins
+  double laid_altitude_m_ = 0.0;
   std::size_t route_piece_ = 0;
   std::uint32_t route_cell_ = 0;  // in the piece
   double next_cell_m_ = 0.0, progress_m_ = 0.0, stop_m_ = 0.0, spray_left_m_ = 0.0;
@@ -176,6 +197,12 @@ class AgentNode {
   SortieReport sortie_{};
   bool has_unreported_sortie_ = false;
   std::uint32_t sorties_flown_ = 0, pack_ = 1;
+
+  // The air it shares.
+  FlightSlot slot_;
+  bool is_way_out_clear_ = true, is_way_home_clear_ = true;  // of the route
+  Duration lead_{200'000'000};  // from a claim to the departure it asks for
+  bool diverts_ = false;        // stands ready to fly to another station
 
   // At stations.
   bool is_prepared_ = true;  // stores suffice for what comes next

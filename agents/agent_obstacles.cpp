@@ -56,8 +56,7 @@ void AgentNode::reroute(Instant t) {
   std::vector<Piece> pieces;
   pieces.reserve(route_->pieces.size());
   for (const PieceOnPath& p : route_->pieces) pieces.push_back(p.piece);
-  SortieRoute next = sortie_route(laid_from_m_, pieces, xy_m(home_.position), vehicle_,
-                                  settings_.ferries, around_);
+  SortieRoute next = lay(laid_from_m_, pieces, laid_altitude_m_);
   const bool is_same =
       next.path.length_m() == route_->path.length_m() && next.blocked_m == route_->blocked_m;
   if (is_same) return;
@@ -70,8 +69,10 @@ void AgentNode::swerve(SortieRoute route) {
   note_outside(route);
   route_ = std::move(route);
   aircraft_.redirect(route_->path);
+  announce_way();
   expect_next_cell();
   if (phase_ == Phase::hold) return;  // stays where it is
+  if (awaits_way()) return;
   if (phase_ == Phase::fly_back) {
     stop_m_ = before_blockage_m(no_stop);
   } else if (leaving_) {

@@ -1,6 +1,7 @@
 #include "agents/aircraft.hpp"
 
 #include "agents/control_clock.hpp"
+#include "agents/guidance/coming_track.hpp"
 #include "agents/text.hpp"
 #include "core/random.hpp"
 
@@ -86,10 +87,7 @@ void Aircraft::fly(double stop_m) {
 }
 
 double Aircraft::climb_to(double altitude_m, const planner::HeightRule& rule) {
-  constexpr double in_hand = 1.2;
-  const double most_m = in_hand * control_period_s * rule.climb.base();
-  const double least_m = -in_hand * control_period_s * rule.descent.base();
-  const double rise_m = std::clamp(altitude_m - altitude_m_, least_m, most_m);
+  const double rise_m = next_altitude_m(altitude_m_, altitude_m, rule) - altitude_m_;
   altitude_m_ += rise_m;
   const double level_s = rule.climb_energy_s_per_m * std::max(0.0, rise_m);
   stores.fly(vehicle_, level_s);

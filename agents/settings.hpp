@@ -10,9 +10,17 @@
 #include "planner/ferry/ferry_map.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace furrow::agents {
+
+/// How an aircraft flies where it shares the air: it claims each way between stations and work, and
+/// over level land flies it at a height of its own.
+struct AirspaceRule {
+  Length layer{};  ///< Above the height of work; over terrain the layer of the relief counts.
+  planner::HeightRule climbs{.climb_energy_s_per_m = 0.0};  ///< Over level land.
+};
 
 /// Everything an agent knows before its first message.
 struct AgentSettings {
@@ -22,7 +30,8 @@ struct AgentSettings {
   planner::FerryMap ferries{};        ///< The fleet's, for ways of its own.
   AvoidanceRule avoidance{};          ///< Of obstacles seen in flight.
   std::vector<Surprise> surprises{};  ///< What stands there to be seen.
-  std::uint64_t seed;                 ///< Of the scenario.
+  std::optional<AirspaceRule> airspace{};  ///< None: it has the air to itself.
+  std::uint64_t seed;                      ///< Of the scenario.
   BootId boot;
   Duration info_period{2'000'000'000};      ///< Until a command arrives.
   Duration report_period{2'000'000'000};    ///< Until a closure is booked.

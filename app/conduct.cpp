@@ -30,7 +30,8 @@ std::vector<sim::Violation> judged(const MissionRecord& record, const Flight& fl
                          .claim_lease = record.scenario.agent_lease,
                          .whole = flight.log.finished,
                          .wind = record.scenario.wind,
-                         .surprises = record.scenario.surprises};
+                         .surprises = record.scenario.surprises,
+                         .separation = record.scenario.separation};
   return sim::violations(facts, record.log, flight.log.ended);
 }
 

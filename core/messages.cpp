@@ -24,6 +24,8 @@ struct Recipient {
   bool operator()(const ObstacleSeen&) const { return is_scheduler(); }
   bool operator()(const OperatorState&) const { return to.kind == NodeKind::agent; }
   bool operator()(const OperatorOrder&) const { return is_scheduler(); }
+  bool operator()(const FlightClaim&) const { return is_scheduler(); }
+  bool operator()(const FlightGrant& m) const { return to == node(m.agent); }
 };
 
 }  // namespace

@@ -297,16 +297,54 @@ struct ObstacleSeen {
   Length clearance;  ///< That the aircraft keeps from its edge.
 };
 
-using Body = std::variant<AgentInfo, AgentState, Command, CommandAck, WorkGrant, WorkReport,
-                          ServiceClaim, ServiceGrant, StationState, SchedulerState, Event,
-                          SortieReport, FlightRecord, ObstacleSeen, OperatorState, OperatorOrder>;
+/// A place in the air at a time.
+struct TimedPlace {
+  Instant at;
+  FieldPoint position;
+  double altitude_m;  ///< Above the datum; over level land above the height of work.
+  friend constexpr bool operator==(const TimedPlace&, const TimedPlace&) = default;
+};
+
+/// What a claimed flight begins with. The value travels on the wire.
+enum class Departure : std::uint8_t {
+  from_ground = 1,  ///< Can be put off.
+  from_hover = 2,   ///< Can be put off, at the price of hovering.
+  in_motion = 3,    ///< As claimed or not at all.
+  begun = 4,        ///< Flown whatever the answer.
+};
+
+/// A way between a station and work that an aircraft wants to fly, or from one place of work to
+/// another, as it will fly it. Said again with the heartbeat until it is answered.
+struct FlightClaim {
+  AgentId agent;
+  BootId boot;
+  std::uint64_t claim;  ///< 1, 2, 3, ... per agent.
+  Departure departure;
+  /// Straight and even from place to place, times rising, at least two places. The first is where
+  /// it begins if it is not put off.
+  std::vector<TimedPlace> track;
+};
+
+/// The answer: the way is clear of all others if it begins then. A level, as WorkGrant.
+struct FlightGrant {
+  AgentId agent;
+  BootId target_boot;
+  std::uint64_t claim;
+  bool is_clear;    ///< Only a flight in motion is ever refused.
+  Instant departs;  ///< Not before the claim's first place; meaningless unless clear.
+};
+
+using Body =
+    std::variant<AgentInfo, AgentState, Command, CommandAck, WorkGrant, WorkReport, ServiceClaim,
+                 ServiceGrant, StationState, SchedulerState, Event, SortieReport, FlightRecord,
+                 ObstacleSeen, OperatorState, OperatorOrder, FlightClaim, FlightGrant>;
 
 /// The last part of the topic's name, by the body's index.
 inline constexpr std::array<std::string_view, std::variant_size_v<Body>> topics{
-    "agent_info",    "agent_state",     "command",        "command_ack",
-    "work_grant",    "work_report",     "service_claim",  "service_grant",
-    "station_state", "scheduler_state", "event",          "sortie_report",
-    "flight_record", "obstacle_seen",   "operator_state", "operator_order"};
+    "agent_info",     "agent_state",   "command",       "command_ack",   "work_grant",
+    "work_report",    "service_claim", "service_grant", "station_state", "scheduler_state",
+    "event",          "sortie_report", "flight_record", "obstacle_seen", "operator_state",
+    "operator_order", "flight_claim",  "flight_grant"};
 
 constexpr std::string_view topic(const Body& body) { return topics[body.index()]; }
 

@@ -61,6 +61,19 @@ void check_cells(const Draft& draft) {
   }
 }
 
+void check_separation(const Section& limits, const Draft& draft) {
+  const auto& uavs = draft.scenario.uavs;
+  Length narrowest = uavs[0].swath;
+  for (const Vehicle& v : uavs) narrowest = std::min(narrowest, v.swath);
+  const Length most = widest_separation * narrowest;
+  if (uavs.size() < 2 || draft.scenario.separation <= most) return;
+  limits.fail(
+      "separation_m",
+      fmt::format("must be at most {:.10g}, three quarters of the narrowest swath: aircraft "
+                  "on neighbouring strips come as near as that",
+                  most.base()));
+}
+
 // Whether a UAV gets from the station to the nearest ground of the field and back on one pack.
 bool reaches(const Vehicle& v, Length away) {
   return 2.0 * away / v.ferry_speed <= usable_endurance(v);
@@ -176,6 +189,7 @@ void check_together(const Section& root, const Draft& draft) {
   const bool field = draft.field_in_order, fleet = draft.fleet_in_order;
   if (field) check_start(root.section("field"), draft.scenario);
   if (fleet) check_swaths(draft);
+  if (fleet) check_separation(root.section("limits"), draft);
   if (field && fleet) check_overlap(root.section("field").section("coverage"), draft);
   if (field && fleet) check_cells(draft);
   if (field && fleet && draft.supply_in_order) check_reach(draft);

@@ -82,6 +82,17 @@ agents::AvoidanceRule avoidance_rule(const Scenario& scenario) {
           .turn_radius = avoidance->turn_radius};
 }
 
+// Aircraft of a fleet fly between work and stations at heights of their own, no higher than 40 m or
+// what keeps one of them clear of those at work.
+std::optional<agents::AirspaceRule> airspace_rule(const Scenario& scenario, AgentId agent) {
+  constexpr double room_m = 0.5, highest_m = 40.0;
+  if (scenario.uavs.size() < 2) return std::nullopt;
+  const double apart_m = std::min(scenario.separation.base() + room_m, highest_m);
+  const auto most = static_cast<std::uint32_t>(highest_m / apart_m);
+  const auto layers = std::min(most, static_cast<std::uint32_t>(scenario.uavs.size()));
+  return agents::AirspaceRule{.layer = ((number(agent) - 1) % layers + 1.0) * metres(apart_m)};
+}
+
 std::optional<OperatorAsk> ask(Fault::Kind kind) {
   switch (kind) {
     case Fault::Kind::pause: return OperatorAsk::pause;
@@ -170,7 +181,8 @@ AnyNode scheduler_node(const Scenario& scenario, const scheduler::FleetPlan& pla
                                            .epoch = first_epoch,
                                            .agent_lease = scenario.agent_lease,
                                            .mission_limit = scenario.mission_limit,
-                                           .orders = operator_orders(scenario)}}};
+                                           .orders = operator_orders(scenario),
+                                           .separation = scenario.separation}}};
 }
 
 AnyNode supply_node(const Scenario& scenario, StationId station) {
@@ -198,6 +210,7 @@ AnyNode agent_node(const Scenario& scenario, const planner::FerryMap& ferries, A
                                     .ferries = ferries,
                                     .avoidance = avoidance_rule(scenario),
                                     .surprises = scenario.surprises,
+                                    .airspace = airspace_rule(scenario, agent),
                                     .seed = scenario.seed,
                                     .boot = boot}}};
 }

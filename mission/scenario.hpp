@@ -52,6 +52,10 @@ struct Source {
   std::vector<std::string> stations, uavs;  ///< The entry of each, as in the scenario: "uavs[0]".
 };
 
+/// Share of the narrowest swath that the separation of several aircraft may be at most: so far apart
+/// those are that work on neighbouring strips, whatever their error.
+inline constexpr double widest_separation = 0.75;
+
 struct Scenario {
   std::string name;
   std::uint64_t seed;
@@ -71,7 +75,7 @@ struct Scenario {
   Link link;
   Duration agent_lease;       ///< An agent silent for longer is lost.
   Duration mission_limit;     ///< The run is given up after this mission time.
-  Length separation;          ///< Nearer than this two aircraft in the air should not come.
+  Length separation;          ///< Nearer than this two aircraft in the air do not come.
   std::vector<Fault> faults;  ///< In order of time.
   std::vector<Expectation> expectations;
   Source source;

@@ -407,7 +407,11 @@ std::vector<Expectation> read_expectations(const Section& s) {
 void read_limits(const Section& s, Scenario& out) {
   out.agent_lease = duration(seconds(s.number("agent_lease_s", above_to(1, 3600), 3)));
   out.mission_limit = duration(seconds(s.number("mission_s", from_to(1, 10'000'000), 86'400)));
-  out.separation = metres(s.number("separation_m", above_to(0, 1000), 1));
+  constexpr double usual_m = 1.0;
+  double narrowest_m = usual_m / widest_separation;
+  for (const Vehicle& v : out.uavs) narrowest_m = std::min(narrowest_m, v.swath.base());
+  out.separation =
+      metres(s.number("separation_m", above_to(0, 1000), widest_separation * narrowest_m));
 }
 
 // Whether reading a part finds nothing wrong with it.

@@ -58,6 +58,7 @@ SchedulerNode::SchedulerNode(SchedulerSettings settings)
       losses_(settings_.plan.route.strips.size(), 0) {
   require(settings_.windows_ahead >= 1, "an agent has a window to work on");
   require(number(settings_.epoch) > 0, "an epoch is counted from 1");
+  if (settings_.separation) airspace_.emplace(*settings_.separation);
   for (const UavPlan& uav : settings_.plan.uavs) {
     add_new(stations_, uav.station);
     for (const Station& s : uav.landings) add_new(stations_, s);
@@ -113,6 +114,7 @@ void SchedulerNode::hear(const Envelope& envelope, Instant now, Outbox& out) {
   if (const auto* ack = std::get_if<CommandAck>(&envelope.body)) hear(*ack, now, out);
   if (const auto* report = std::get_if<WorkReport>(&envelope.body)) hear(*report, now, out);
   if (const auto* seen = std::get_if<ObstacleSeen>(&envelope.body)) hear(*seen, now, out);
+  if (const auto* claim = std::get_if<FlightClaim>(&envelope.body)) hear(*claim, now, out);
   if (const auto* state = std::get_if<StationState>(&envelope.body)) hear(*state, out);
   if (const auto* order = std::get_if<OperatorOrder>(&envelope.body)) hear(*order, out);
 }
@@ -125,6 +127,7 @@ void SchedulerNode::hear(const AgentState& state, Instant now, Outbox& out) {
   Member* m = member(state.agent, state.boot, now);
   if (m == nullptr) return;
   m->phase = state.phase;
+  m->place = {now, state.position, 0.0};
   const bool follows = state.epoch == settings_.epoch && state.revision == m->revision;
   if (follows) m->accepted = true;
   if (state.phase == Phase::offline && has_work_left(*m) && !leaves_on_order(*m)) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/node.hpp"
+#include "scheduler/airspace.hpp"
 #include "scheduler/blockage.hpp"
 #include "scheduler/fleet_plan.hpp"
 #include "scheduler/ledger.hpp"
@@ -28,6 +29,8 @@ struct SchedulerSettings {
   std::uint32_t windows_ahead = 2;                 ///< Open windows per agent, >= 1.
   std::vector<TimedOrder> orders{};                ///< Of the operator, in order of time.
   Effort effort{};                                 ///< Whenever work changes hands.
+  /// That aircraft in the air keep from each other; none: whoever asks may fly.
+  std::optional<Length> separation{};
 };
 
 /// The scheduler of a mission as a node.
@@ -57,6 +60,9 @@ struct SchedulerSettings {
 /// is taken out closes its windows on the way home; the rest of its list is shared over the others.
 /// Once the operator has stopped the mission, what is not sprayed is given up.
 ///
+/// Where aircraft keep a distance, what they claim to fly between stations and work is put off
+/// until it is clear of what others fly and of where they are at work.
+///
 /// The mission is finished when every cell is sprayed or given up and every living agent is down;
 /// completed when none was given up but what is uncertain. Cells that the route leaves out are
 /// reported at the start.
@@ -81,6 +87,7 @@ class SchedulerNode {
     std::optional<BootId> boot{};  ///< Of the incarnation listened to.
     Instant last_heard{};
     Phase phase = Phase::idle;
+    TimedPlace place{};     ///< As last heard.
     bool accepted = false;  ///< The revision.
     bool lost = false;
     bool joins = false;   ///< Comes late, and has no share of the work yet.
@@ -98,6 +105,16 @@ class SchedulerNode {
   void hear(const ObstacleSeen& seen, Instant now, Outbox& out);
   void hear(const StationState& state, Outbox& out);
   void hear(const OperatorOrder& order, Outbox& out);
+
+  // air_traffic.cpp
+  void hear(const FlightClaim& claim, Instant now, Outbox& out);
+  std::vector<WorkSite> work_sites(Instant now) const;
+  void add_sites(const Member& m, Instant now, std::vector<WorkSite>& sites) const;
+  void add_work(const Member& m, TimedPlace from, Instant now, std::vector<WorkSite>& sites) const;
+  void add_site(AgentId agent, TimedPlace& from, FieldPoint to, Speed speed,
+                std::vector<WorkSite>& sites) const;
+  std::vector<Piece> rest_of_sortie(const Member& m) const;
+  double work_altitude_m(FieldPoint at) const;
 
   // operator_orders.cpp
   void take_orders(Instant now, Outbox& out);
@@ -146,6 +163,7 @@ class SchedulerNode {
 
   SchedulerSettings settings_;
   Ledger ledger_;
+  std::optional<Airspace> airspace_{};
   std::vector<Member> members_;       ///< In order of agent id.
   std::vector<Station> stations_{};   ///< Where sorties of the plan end, bays as they are left.
   std::set<StationId> shut_{};        ///< Of these, without a bay.

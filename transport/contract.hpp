@@ -64,6 +64,8 @@ inline constexpr std::array<TopicContract, topic_count> contract{{
     {"obstacle_seen",    role::agents,    role::scheduler,               {256, true}, {64}},
     {"operator_state",   role::scheduler, role::agents,                  {1},         {64}},
     {"operator_order",   role::director,  role::scheduler,               {256, true}, {64}},
+    {"flight_claim",     role::agents,    role::scheduler,               {1},         {64}},
+    {"flight_grant",     role::scheduler, role::agents,                  {1},         {64}},
 }};
 // clang-format on
 

@@ -57,7 +57,9 @@ FURROW_WIRE(12)
 FURROW_WIRE(13)
 FURROW_WIRE(14)
 FURROW_WIRE(15)
+FURROW_WIRE(16)
+FURROW_WIRE(17)
 #undef FURROW_WIRE
-static_assert(std::variant_size_v<Body> == 16);
+static_assert(std::variant_size_v<Body> == 18);
 
 }  // namespace furrow::transport

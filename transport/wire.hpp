@@ -10,6 +10,7 @@
 
 #include "idl/agent.h"
 #include "idl/command.h"
+#include "idl/flight.h"
 #include "idl/obstacle.h"
 #include "idl/operator.h"
 #include "idl/record.h"
@@ -26,7 +27,7 @@ using WireTypes =
                fleet::v1::ServiceClaim, fleet::v1::ServiceGrant, fleet::v1::StationState,
                fleet::v1::SchedulerState, fleet::v1::Event, fleet::v1::SortieReport,
                fleet::v1::FlightRecord, fleet::v1::ObstacleSeen, fleet::v1::OperatorState,
-               fleet::v1::OperatorOrder>;
+               fleet::v1::OperatorOrder, fleet::v1::FlightClaim, fleet::v1::FlightGrant>;
 static_assert(std::tuple_size_v<WireTypes> == std::variant_size_v<Body>);
 
 template <std::size_t topic>

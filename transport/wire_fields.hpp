@@ -326,4 +326,26 @@ void fields(D& d, Seen<D, OperatorOrder>& m, fleet::v1::OperatorOrder& w) {
   d(m.agent, w.agent());
 }
 
+template <class D>
+void fields(D& d, Seen<D, FlightClaim>& m, fleet::v1::FlightClaim& w) {
+  d(m.agent, w.agent());
+  d(m.boot, w.header().boot_id());
+  d(m.claim, w.claim_id());
+  d.bounded(m.departure, w.departure(), Departure::from_ground, Departure::begun);
+  d.sequence(m.track, w.track(), [](D& s, auto& place, fleet::v1::TimedPlace& p) {
+    s(place.at, p.at_ns());
+    fields(s, place.position, p.position());
+    s(place.altitude_m, p.altitude_m());
+  });
+}
+
+template <class D>
+void fields(D& d, Seen<D, FlightGrant>& m, fleet::v1::FlightGrant& w) {
+  d(m.agent, w.agent());
+  d(m.target_boot, w.target_boot_id());
+  d(m.claim, w.claim_id());
+  d(m.is_clear, w.is_clear());
+  d(m.departs, w.departs_ns());
+}
+
 }  // namespace furrow::transport

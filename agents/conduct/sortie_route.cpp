@@ -261,6 +261,28 @@ SortieRoute sortie_route(Xy from_m, std::span<const Piece> pieces, Xy to_m, cons
   return route;
 }
 
+void lift_ferries(SortieRoute& route, Length layer, Length begins, const Vehicle& v,
+                  const planner::HeightRule& rule) {
+  constexpr double least_gap_m = 20.0;
+  const double up = rule.climb / v.ferry_speed, down = rule.descent / v.ferry_speed;
+  double from_m = 0.0, begins_m = begins.base();
+  const auto hop = [&](double to_m) {
+    route.heights.mark_hop(from_m, to_m, begins_m, layer.base(), up, down);
+    begins_m = 0.0;
+  };
+  for (const PieceOnPath& piece : route.pieces) {
+    const bool is_visit = piece.piece.entry == piece.piece.exit;
+    const bool is_way = from_m == 0.0 || (!is_visit && piece.open_m - from_m > least_gap_m);
+    if (is_way) hop(piece.open_m);
+    from_m = piece.close_m;
+  }
+  hop(route.path.length_m());
+}
+
+double first_way_m(const SortieRoute& route) {
+  return route.pieces.empty() ? route.path.length_m() : route.pieces.front().open_m;
+}
+
 double ferry_pack_m(FieldPoint from, FieldPoint to, const Vehicle& v,
                     const planner::FerryMap& ferries) {
   const planner::Relief* relief = ferries.relief();

@@ -68,6 +68,16 @@ struct SortieRoute {
 SortieRoute sortie_route(Xy from_m, std::span<const Piece> pieces, Xy to_m, const Vehicle& vehicle,
                          const planner::FerryMap& ferries, const Surroundings& around);
 
+/// Lifts the ferries of a route over level land to `layer`, and so the ways between its pieces that
+/// are longer than 20 m, but for a survey's. They climb out and come down on the way at ferry
+/// speed, so no flight takes longer.
+/// @param begins  Height at which the route begins.
+void lift_ferries(SortieRoute& route, Length layer, Length begins, const Vehicle& vehicle,
+                  const planner::HeightRule& rule);
+
+/// Where the first way of a route ends, at its first piece or at the station [m].
+double first_way_m(const SortieRoute& route);
+
 /// What a ferry takes of a pack, in metres of level flight at ferry speed; without braking.
 double ferry_pack_m(FieldPoint from, FieldPoint to, const Vehicle& vehicle,
                     const planner::FerryMap& ferries);

@@ -15,6 +15,17 @@ double HeightProfile::altitude_m(double along_m) const {
   return a.altitude_m + share * (b.altitude_m - a.altitude_m);
 }
 
+void HeightProfile::mark_hop(double from_m, double to_m, double begins_m, double layer_m, double up,
+                             double down) {
+  const double length_m = to_m - from_m;
+  mark(from_m, begins_m);
+  const double meets_m = std::max(0.0, (down * length_m - begins_m) / (up + down));
+  const double top_m = std::min(std::max(layer_m, begins_m), begins_m + up * meets_m);
+  if (top_m > begins_m) mark(from_m + (top_m - begins_m) / up, top_m);
+  if (length_m > top_m / down) mark(to_m - top_m / down, top_m);
+  mark(to_m, 0.0);
+}
+
 double HeightProfile::climb_m() const {
   double sum_m = 0.0;
   for (std::size_t i = 1; i < marks_.size(); ++i) {

@@ -108,6 +108,9 @@ class Hash {
     all(m.epoch, m.revision, m.level, m.taken_out, m.answered, std::string_view{m.refusal});
   }
   void operator()(const OperatorOrder& m) { all(m.number, m.ask, m.agent); }
+  void operator()(const TimedPlace& p) { all(p.at, p.position, p.altitude_m); }
+  void operator()(const FlightClaim& m) { all(m.agent, m.claim, m.departure, m.track); }
+  void operator()(const FlightGrant& m) { all(m.agent, m.claim, m.is_clear, m.departs); }
 
   void operator()(const Envelope& e) {
     all(e.from.kind, e.from.number, e.seq, e.sent, std::uint64_t{e.body.index()});

@@ -2,6 +2,7 @@
 
 #include "app/results/rounding.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace furrow::app {
@@ -43,6 +44,16 @@ const char* name(ClaimStatus status) {
     case ClaimStatus::waiting: return "waiting";
     case ClaimStatus::in_bay: return "in_bay";
     case ClaimStatus::released: return "released";
+  }
+  return "unknown";
+}
+
+const char* name(Departure departure) {
+  switch (departure) {
+    case Departure::from_ground: return "from_ground";
+    case Departure::from_hover: return "from_hover";
+    case Departure::in_motion: return "in_motion";
+    case Departure::begun: return "begun";
   }
   return "unknown";
 }
@@ -161,6 +172,25 @@ struct Details {
     line["number"] = m.number;
     line["ask"] = furrow::name(m.ask);
     if (m.ask == OperatorAsk::take_out) line["agent"] = number(m.agent);
+  }
+  void operator()(const FlightClaim& m) {
+    line["agent"] = number(m.agent);
+    line["claim"] = m.claim;
+    line["departure"] = name(m.departure);
+    if (m.track.empty()) return;
+    double highest_m = 0.0;
+    for (const TimedPlace& p : m.track) highest_m = std::max(highest_m, p.altitude_m);
+    line["from_s"] = at_s(m.track.front().at);
+    line["to_s"] = at_s(m.track.back().at);
+    line["from_m"] = point(m.track.front().position);
+    line["to_m"] = point(m.track.back().position);
+    line["highest_m"] = rounded(highest_m);
+  }
+  void operator()(const FlightGrant& m) {
+    line["agent"] = number(m.agent);
+    line["claim"] = m.claim;
+    line["is_clear"] = m.is_clear;
+    if (m.is_clear) line["departs_s"] = at_s(m.departs);
   }
   void operator()(const AgentState&) {}
   void operator()(const StationState&) {}

@@ -19,6 +19,7 @@
 //              from and to stations never more than 1 m below the clearance, but near their ends,
 //              where they climb out and come down; on a survey never more than 1 m below the
 //              clearance, or the survey's height where that is less
+// Apart    L24 two aircraft in the air are never nearer to each other than the separation
 // Senders  L21 nobody unknown is spoken of: the other laws go on without what such messages say
 // Log      L17 every sender's log is complete and in order, so equal runs have equal digests
 
@@ -31,6 +32,7 @@
 #include "sim/checkers/violation.hpp"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace furrow::sim {
@@ -44,6 +46,7 @@ struct Facts {
   bool whole;            ///< The log ends because the mission did, so L2 must hold.
   Wind wind{};
   std::vector<Surprise> surprises{};
+  std::optional<Length> separation{};  ///< None: L24 is not judged.
 };
 
 /// One group of laws. `observe` takes every envelope in the log's order.
@@ -72,6 +75,7 @@ std::unique_ptr<Checker> log_laws(const Facts& facts);
 std::unique_ptr<Checker> sender_laws(const Facts& facts);
 std::unique_ptr<Checker> clearance_laws(const Facts& facts);
 std::unique_ptr<Checker> height_laws(const Facts& facts);
+std::unique_ptr<Checker> separation_laws(const Facts& facts);
 
 /// Every violation in a log, by time.
 std::vector<Violation> violations(const Facts& facts, const std::vector<Envelope>& log,

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <optional>
 #include <vector>
 
 namespace furrow::agents {
@@ -94,6 +95,10 @@ struct ScriptedScheduler {
   std::vector<SortieOrder> sorties;
   std::function<bool(CellRange, Instant)> may_grant = [](CellRange, Instant) { return true; };
   int repeats = 1;  // each message so many times
+  /// What becomes of a claimed flight; nothing: no answer.
+  std::function<std::optional<FlightGrant>(const FlightClaim&)> clears = [](const FlightClaim& c) {
+    return FlightGrant{c.agent, c.boot, c.claim, true, c.track.front().at};
+  };
   Instant silent_from = never;
 
   bool commanded = false, acknowledged = false, finished = false;
@@ -109,6 +114,9 @@ struct ScriptedScheduler {
     for (const auto& e : inbox) {
       is_introduced |= std::holds_alternative<AgentInfo>(e.body);
       if (const auto* r = std::get_if<WorkReport>(&e.body)) book(*r);
+      if (const auto* c = std::get_if<FlightClaim>(&e.body)) {
+        if (const auto answer = clears(*c)) out.messages.push_back(*answer);
+      }
       if (const auto* s = std::get_if<AgentState>(&e.body)) finished |= s->phase == Phase::done;
       if (const auto* a = std::get_if<CommandAck>(&e.body)) {
         acknowledged |= a->status != AckStatus::received;

@@ -80,7 +80,8 @@ SchedulerState judged(const mission::Scenario& scenario, const scheduler::FleetP
                     .plan = plan,
                     .claim_lease = scenario.agent_lease,
                     .whole = true,
-                    .wind = scenario.wind};
+                    .wind = scenario.wind,
+                    .separation = scenario.separation};
   for (const Violation& v : violations(facts, log.envelopes, log.ended)) {
     FAIL("law " << v.law << " at " << seconds(v.at).base() << " s: " << v.detail);
   }

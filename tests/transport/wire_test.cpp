@@ -168,7 +168,18 @@ std::vector<Envelope> samples() {
                                                .answered = 5,
                                                .refusal = "agent 9 is lost"}),
           from(director_node(),
-               OperatorOrder{.ask = OperatorAsk::take_out, .agent = AgentId{7}, .number = 6})};
+               OperatorOrder{.ask = OperatorAsk::take_out, .agent = AgentId{7}, .number = 6}),
+          from(agent, FlightClaim{.agent = AgentId{7},
+                                  .boot = BootId{3},
+                                  .claim = 8,
+                                  .departure = Departure::in_motion,
+                                  .track = {{Instant{Duration{1}}, at_m(15, 16), 17},
+                                            {Instant{Duration{2}}, at_m(18, 19), 20}}}),
+          from(scheduler_node(), FlightGrant{.agent = AgentId{7},
+                                             .target_boot = BootId{3},
+                                             .claim = 8,
+                                             .is_clear = true,
+                                             .departs = Instant{Duration{21}}})};
 }
 
 template <std::size_t topic>

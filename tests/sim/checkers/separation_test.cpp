@@ -1,4 +1,5 @@
 #include "sim/checkers/separation.hpp"
+#include "tests/sim/checkers/scripted_log.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -80,6 +81,33 @@ TEST_CASE("separation: points between whole seconds are flown straight, too", "[
   // 20 m/s on both legs: 2 m before and after the turn.
   CHECK(s(near.encounters[0].from) == Approx(1.3));
   CHECK(s(near.encounters[0].to) == Approx(1.5));
+}
+
+TEST_CASE("laws: L24 two aircraft that come too near are told, with when and how near", "[sim]") {
+  // Side by side 0.8 m apart from the first second to the third.
+  const auto flown = [](AgentId agent, double y_m) {
+    FlightRecord record{};
+    record.agent = agent;
+    for (int t = 1; t <= 3; ++t) record.track.push_back(point(t, 5.0 * t, y_m));
+    return record;
+  };
+  Facts f = facts();
+  f.whole = false;
+  Script script;
+  script.say(node(one), 4, flown(one, 0));
+  script.say(node(two), 4, flown(two, 0.8));
+  const auto broken = [&](std::optional<Length> separation) {
+    f.separation = separation;
+    std::vector<std::string> told;
+    for (const Violation& v : violations(f, script.log, at(5))) {
+      if (v.law == "L24") told.push_back(v.detail);
+    }
+    return told;
+  };
+  CHECK(broken(metres(1)) ==
+        std::vector<std::string>{"UAVs 1 and 2 were 0.80 m from each other, less than 1.00 m"});
+  CHECK(broken(metres(0.5)).empty());
+  CHECK(broken(std::nullopt).empty());
 }
 
 }  // namespace

@@ -1,0 +1,193 @@
+#include "scheduler/airspace.hpp"
+
+#include "core/require.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace furrow::scheduler {
+namespace {
+
+constexpr double level_room_m = 1.5, upright_room_m = 0.3, line_room_m = 0.5;
+constexpr Duration period{100'000'000};  // to which aircraft keep time
+constexpr Duration step{500'000'000}, longest_delay{120'000'000'000};
+
+using Place = std::array<double, 3>;  // [m], heights stretched
+
+Place minus(const Place& a, const Place& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+double dot(const Place& a, const Place& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+// Between two places of a track, the heights stretched so that one distance counts in all
+// directions.
+struct Leg {
+  Instant from, to;
+  Place begin, end;
+
+  Leg(const TimedPlace& a, const TimedPlace& b, double stretch)
+      : from{a.at}, to{b.at}, begin{place(a, stretch)}, end{place(b, stretch)} {}
+  Place at(Instant t) const {
+    const double share = to > from ? seconds(t - from) / seconds(to - from) : 0.0;
+    const Place way = minus(end, begin);
+    return {begin[0] + share * way[0], begin[1] + share * way[1], begin[2] + share * way[2]};
+  }
+  static Place place(const TimedPlace& p, double stretch) {
+    return {p.position.x.base(), p.position.y.base(), stretch * p.altitude_m};
+  }
+};
+
+// Square of how near two come in the time that both legs have in common.
+double nearest_m2(const Leg& a, const Leg& b, Instant from, Instant to) {
+  const Place r = minus(b.at(from), a.at(from));
+  const Place v = minus(minus(b.at(to), a.at(to)), r);
+  const double vv = dot(v, v);
+  const double share = vv > 0.0 ? std::clamp(-dot(r, v) / vv, 0.0, 1.0) : 0.0;
+  return dot(r, r) + share * (2.0 * dot(r, v) + share * vv);
+}
+
+bool meet(const std::vector<TimedPlace>& one, const std::vector<TimedPlace>& other, double level_m,
+          double stretch) {
+  std::size_t j = 1;
+  for (std::size_t i = 1; i < one.size(); ++i) {
+    const Leg a{one[i - 1], one[i], stretch};
+    while (j + 1 < other.size() && other[j].at < a.from) ++j;
+    for (std::size_t k = j; k < other.size() && other[k - 1].at <= a.to; ++k) {
+      const Leg b{other[k - 1], other[k], stretch};
+      const Instant from = std::max(a.from, b.from), to = std::min(a.to, b.to);
+      if (from <= to && nearest_m2(a, b, from, to) < level_m * level_m) return true;
+    }
+  }
+  return false;
+}
+
+std::vector<TimedPlace> put_off(std::vector<TimedPlace> track, Duration delay) {
+  for (TimedPlace& place : track) place.at += delay;
+  return track;
+}
+
+using Point = std::array<double, 2>;
+
+double away_m(Point p, Point from, Point to) {
+  const double x = to[0] - from[0], y = to[1] - from[1], square = x * x + y * y;
+  const double along = (p[0] - from[0]) * x + (p[1] - from[1]) * y;
+  const double share = square > 0.0 ? std::clamp(along / square, 0.0, 1.0) : 0.0;
+  return std::hypot(p[0] - from[0] - share * x, p[1] - from[1] - share * y);
+}
+
+double side(Point a, Point b, Point p) {
+  return (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
+}
+
+double apart_m(Point a, Point b, Point p, Point q) {
+  const bool cross = side(a, b, p) * side(a, b, q) < 0.0 && side(p, q, a) * side(p, q, b) < 0.0;
+  if (cross) return 0.0;
+  return std::min({away_m(a, p, q), away_m(b, p, q), away_m(p, a, b), away_m(q, a, b)});
+}
+
+// A stretch of a leg in plan, and when it is flown.
+struct Stretch {
+  Point from, to;
+  Instant enters, leaves;
+};
+
+// The part of a leg that is less than `upright_m` above a height.
+std::optional<Stretch> low_part(const TimedPlace& a, const TimedPlace& b, double altitude_m,
+                                double upright_m) {
+  const double above_a = a.altitude_m - altitude_m, above_b = b.altitude_m - altitude_m;
+  if (std::min(above_a, above_b) >= upright_m) return std::nullopt;
+  const double passes = above_a == above_b ? 0.0 : (upright_m - above_a) / (above_b - above_a);
+  const double first = above_a > upright_m ? passes : 0.0,
+               last = above_b > upright_m ? passes : 1.0;
+  const auto at = [&](double share) {
+    return Point{std::lerp(a.position.x.base(), b.position.x.base(), share),
+                 std::lerp(a.position.y.base(), b.position.y.base(), share)};
+  };
+  const Seconds length = seconds(b.at - a.at);
+  return Stretch{at(first), at(last), a.at + duration(first * length),
+                 a.at + duration(last * length)};
+}
+
+Point point(FieldPoint p) { return {p.x.base(), p.y.base()}; }
+
+}  // namespace
+
+Airspace::Airspace(Length distance)
+    : level_m_{distance.base() + level_room_m},
+      upright_m_{distance.base() + upright_room_m},
+      line_m_{distance.base() + line_room_m} {
+  require(distance > Length{}, "aircraft keep a distance");
+}
+
+std::optional<FlightGrant> Airspace::answer(const FlightClaim& claim,
+                                            const std::vector<WorkSite>& sites, Instant now) {
+  std::erase_if(flights_, [now](const Flight& f) { return f.track.back().at < now; });
+  for (const Flight& f : flights_) {
+    if (f.agent == claim.agent && f.grant.claim >= claim.claim) return f.grant;
+  }
+  if (claim.departure == Departure::begun) return book(claim, Duration{});
+  const std::vector<Pass> low = passes(claim, sites);
+  if (claim.departure == Departure::in_motion) {
+    if (is_clear(claim, low, Duration{})) return book(claim, Duration{});
+    return FlightGrant{claim.agent, claim.boot, claim.claim, false, now};
+  }
+  const auto put_off = delay(claim, low, now);
+  return put_off ? std::optional{book(claim, *put_off)} : std::nullopt;
+}
+
+std::optional<Airspace::Arrival> Airspace::arrival(AgentId agent, Instant now) const {
+  for (const Flight& f : flights_) {
+    if (f.agent == agent && f.track.back().at >= now) return Arrival{f.track.back(), f.departure};
+  }
+  return std::nullopt;
+}
+
+std::vector<Airspace::Pass> Airspace::passes(const FlightClaim& claim,
+                                             const std::vector<WorkSite>& sites) const {
+  std::vector<Pass> found;
+  for (const WorkSite& site : sites) {
+    if (site.agent == claim.agent) continue;
+    for (std::size_t i = 1; i < claim.track.size(); ++i) {
+      const auto low = low_part(claim.track[i - 1], claim.track[i], site.altitude_m, upright_m_);
+      if (!low || apart_m(low->from, low->to, point(site.from), point(site.to)) >= line_m_)
+        continue;
+      found.push_back({low->enters, low->leaves, site.enters, site.leaves});
+    }
+  }
+  return found;
+}
+
+bool Airspace::is_clear(const FlightClaim& claim, const std::vector<Pass>& passes,
+                        Duration delay) const {
+  const bool is_met = std::any_of(passes.begin(), passes.end(), [delay](const Pass& p) {
+    return p.leaves + delay >= p.site_enters && p.enters + delay <= p.site_leaves;
+  });
+  if (is_met) return false;
+  const Track track = put_off(claim.track, delay);
+  return std::none_of(flights_.begin(), flights_.end(), [&](const Flight& f) {
+    return f.agent != claim.agent && meet(track, f.track, level_m_, level_m_ / upright_m_);
+  });
+}
+
+std::optional<Duration> Airspace::delay(const FlightClaim& claim, const std::vector<Pass>& passes,
+                                        Instant now) const {
+  const auto late = std::max(Duration{}, now - claim.track.front().at);
+  const Duration least = (late + period - Duration{1}) / period * period;
+  for (Duration d = least; d <= least + longest_delay; d += step) {
+    if (is_clear(claim, passes, d)) return d;
+  }
+  return std::nullopt;
+}
+
+// Who hovers until it may begin is where it begins.
+FlightGrant Airspace::book(const FlightClaim& claim, Duration delay) {
+  std::erase_if(flights_, [&](const Flight& f) { return f.agent == claim.agent; });
+  Track track = put_off(claim.track, delay);
+  const FlightGrant grant{claim.agent, claim.boot, claim.claim, true, track.front().at};
+  if (claim.departure == Departure::from_hover && delay > Duration{}) {
+    track.insert(track.begin(), claim.track.front());
+  }
+  flights_.push_back({claim.agent, claim.departure, grant, std::move(track)});
+  return grant;
+}
+
+}  // namespace furrow::scheduler

@@ -1,0 +1,72 @@
+#pragma once
+// Ways through the air, given to one aircraft at a time.
+
+#include "core/messages.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace furrow::scheduler {
+
+/// A stretch at which an aircraft is at work, and when it may be there.
+struct WorkSite {
+  AgentId agent;
+  FieldPoint from, to;
+  double altitude_m;
+  Instant enters, leaves;
+};
+
+/// Keeps the flights of a fleet apart: what is claimed is put off until it is clear of all that is
+/// given already. An aircraft has one flight at a time, its newest.
+///
+/// Aircraft on their way are where their tracks say within 1.5 m in plan and 0.3 m in height, at
+/// work within 0.5 m of their line: so much more than the distance is kept.
+///
+/// Time O(n p) for each instant tried, n flights and p places of the longest track.
+class Airspace {
+ public:
+  /// @param distance  That two aircraft in the air keep, > 0.
+  explicit Airspace(Length distance);
+
+  /// What to tell the claimant: the same for the same claim, however often it is said. Nothing
+  /// where the flight is not clear within two minutes: it may be claimed again.
+  /// @param sites  Of all who are at work or on their way to it; the claimant's own are passed
+  /// over.
+  std::optional<FlightGrant> answer(const FlightClaim& claim, const std::vector<WorkSite>& sites,
+                                    Instant now);
+
+  /// Where and when the flight given to an aircraft ends, and what it begins with.
+  struct Arrival {
+    TimedPlace place;
+    Departure departure;
+  };
+  /// None once it has ended.
+  std::optional<Arrival> arrival(AgentId agent, Instant now) const;
+
+ private:
+  using Track = std::vector<TimedPlace>;
+  struct Flight {
+    AgentId agent;
+    Departure departure;
+    FlightGrant grant;
+    Track track;
+  };
+
+  /// A low part of a track by a site near it, and when both are there.
+  struct Pass {
+    Instant enters, leaves;
+    Instant site_enters, site_leaves;
+  };
+
+  std::vector<Pass> passes(const FlightClaim& claim, const std::vector<WorkSite>& sites) const;
+  bool is_clear(const FlightClaim& claim, const std::vector<Pass>& passes, Duration delay) const;
+  std::optional<Duration> delay(const FlightClaim& claim, const std::vector<Pass>& passes,
+                                Instant now) const;
+  FlightGrant book(const FlightClaim& claim, Duration delay);
+
+  // That tracks keep of each other in plan and in height, and of the lines of those at work.
+  double level_m_, upright_m_, line_m_;
+  std::vector<Flight> flights_;
+};
+
+}  // namespace furrow::scheduler
