@@ -27,7 +27,7 @@ std::optional<Bends> bends(FieldPoint from, FieldPoint to, Length swath, const p
   for (int i = 0; i < most_crowds; ++i) {
     const auto detour = planner::onboard_detour(line, room, turn_radius);
     if (!detour && detour.error() == planner::NoDetour::nothing_ahead) return all;
-    if (!detour) return std::nullopt;
+    if (!detour || detour->way.size() < 2) return std::nullopt;  // or it leads nowhere
     all.insert(all.end(), detour->way.begin() + 1, detour->way.end());
     line.pose.at = all.back();
   }
