@@ -52,8 +52,8 @@ struct Source {
   std::vector<std::string> stations, uavs;  ///< The entry of each, as in the scenario: "uavs[0]".
 };
 
-/// Share of the narrowest swath that the separation of several aircraft may be at most: so far apart
-/// those are that work on neighbouring strips, whatever their error.
+/// Share of the narrowest swath that the separation of several aircraft may be at most: so far
+/// apart those are that work on neighbouring strips, whatever their error.
 inline constexpr double widest_separation = 0.75;
 
 struct Scenario {
