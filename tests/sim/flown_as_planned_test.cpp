@@ -86,7 +86,8 @@ void fly_around_surprises(const char* name, std::size_t trees) {
   CHECK(last.completed);
   CHECK(sighted == trees);
   CHECK(told.size() == 2);
-  CHECK(makespan_s(log) / plan->makespan_s == Approx(1.0).margin(0.13));
+  // Detours, and waiting until the ways home and out are clear of each other.
+  CHECK(makespan_s(log) / plan->makespan_s == Approx(1.0).margin(0.14));
 }
 
 TEST_CASE("flown as planned: around a tree that no map shows, by all laws and every cell once",
