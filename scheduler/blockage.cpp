@@ -5,28 +5,43 @@
 namespace furrow::scheduler {
 namespace {
 
-bool is_too_near(FieldPoint place, std::span<const KeptObstacle> obstacles) {
+bool is_too_near(FieldPoint place, std::span<const KeptObstacle> obstacles, Length more) {
   return std::any_of(obstacles.begin(), obstacles.end(), [&](const KeptObstacle& o) {
-    return distance(place, o.obstacle.center) < o.obstacle.radius + o.clearance;
+    return distance(place, o.obstacle.center) < o.obstacle.radius + o.clearance + more;
   });
 }
 
-/// Whether a cell of a piece, or the way from its near edge to its centre, is too near.
-bool is_shadowed(const planner::Route& route, std::uint32_t cell,
-                 std::span<const KeptObstacle> obstacles) {
-  const planner::Strip& strip = route.strips[planner::strip_of(route, cell)];
-  return is_too_near(planner::start_point(route, strip, cell), obstacles) ||
-         is_too_near(route.centers[cell], obstacles);
+/// The first run of cells in [first, stop) that are nearer to an obstacle than its clearance and
+/// `more`; nothing without one.
+std::optional<CellRange> shadow(const planner::Route& route, std::uint32_t first,
+                                std::uint32_t stop, std::span<const KeptObstacle> obstacles,
+                                Length more) {
+  const planner::Strip& strip = route.strips[planner::strip_of(route, first)];
+  const auto is_dark = [&](std::uint32_t cell) {
+    return is_too_near(planner::start_point(route, strip, cell), obstacles, more) ||
+           is_too_near(route.centers[cell], obstacles, more) ||
+           is_too_near(planner::stop_point(route, strip, cell), obstacles, more);
+  };
+  std::uint32_t from = first;
+  while (from < stop && !is_dark(from)) ++from;
+  std::uint32_t to = from;
+  while (to < stop && is_dark(to)) ++to;
+  if (from == to) return std::nullopt;
+  return CellRange{from, to - from};
 }
 
-/// One past the last cell of the first run of shadowed cells in [first, stop); `stop` without one.
-std::uint32_t end_of_shadow(const planner::Route& route, std::uint32_t first, std::uint32_t stop,
-                            std::span<const KeptObstacle> obstacles) {
-  const auto is_dark = [&](std::uint32_t cell) { return is_shadowed(route, cell, obstacles); };
-  std::uint32_t cell = first;
-  while (cell < stop && !is_dark(cell)) ++cell;
-  while (cell < stop && is_dark(cell)) ++cell;
-  return cell;
+/// What an aircraft that is held up before `first` is kept from of [first, stop).
+CellRange blocked(const planner::Route& route, std::uint32_t first, std::uint32_t stop,
+                  std::span<const KeptObstacle> obstacles) {
+  constexpr int widest = 8;  // cells
+  if (const auto dark = shadow(route, first, stop, obstacles, {})) return *dark;
+  const planner::Strip& strip = route.strips[planner::strip_of(route, first)];
+  const Length cell = planner::cell_length(route, strip);
+  for (int cells = 1; cells <= widest; cells *= 2) {
+    const auto near = shadow(route, first, stop, obstacles, 1.0 * cells * cell);
+    if (near) return {first, end(*near) - first};
+  }
+  return {first, stop - first};
 }
 
 Piece before(const planner::Route& route, Piece piece, std::uint32_t stop) {
@@ -56,12 +71,13 @@ std::optional<CellRange> cut_blocked(const planner::Route& route, std::vector<So
     const auto at = std::find_if(sortie->pieces.begin(), sortie->pieces.end(), holds);
     if (at == sortie->pieces.end()) continue;
     const Piece whole = *at;
-    const std::uint32_t stop = end_of_shadow(route, first, end(whole.cells), obstacles);
+    const CellRange cut = blocked(route, first, end(whole.cells), obstacles);
     auto next = sortie->pieces.erase(at);
+    const std::uint32_t stop = end(cut);
     if (stop < end(whole.cells)) next = sortie->pieces.insert(next, behind(route, whole, stop));
-    if (first > whole.cells.first) sortie->pieces.insert(next, before(route, whole, first));
+    if (cut.first > whole.cells.first) sortie->pieces.insert(next, before(route, whole, cut.first));
     if (sortie->pieces.empty()) sorties.erase(sortie);
-    return CellRange{first, stop - first};
+    return cut;
   }
   return std::nullopt;
 }
