@@ -3,16 +3,13 @@
 #include "agents/text.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace furrow::agents {
 namespace {
 
-constexpr double no_stop = std::numeric_limits<double>::infinity();
 constexpr double hover_m = 0.5;        // a hovering aircraft is where it means to be, within this
 constexpr double tank_slack_m = 1e-3;  // rounding of a tank filled to the very metre
-constexpr double way_home_slack_s = 2.0;
 constexpr double hover_slack_s = 4.0;  // until others are out of the way
 constexpr int most_strays = 3;         // from one cell, until it gives up
 

@@ -4,7 +4,6 @@
 #include "core/require.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace furrow::agents {
@@ -18,7 +17,6 @@ constexpr double nothing_to_fill = 1e-9;
 // What a tank that cannot be filled must still hold for one more sortie.
 constexpr double least_tank = 0.05, least_cells = 4.0;
 constexpr double hair_m = 1e-3;
-constexpr double no_stop = std::numeric_limits<double>::infinity();
 
 }  // namespace
 

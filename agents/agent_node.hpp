@@ -62,6 +62,7 @@ class AgentNode {
   void stray(Instant t);
   void return_to_line(Instant t);
   void watch_stores(Instant t);
+  static constexpr double way_home_slack_s = 2.0;
   bool reaches_home(double slack_s);
   double detour_factor() const;
   void keep_height();

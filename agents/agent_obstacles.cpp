@@ -2,13 +2,11 @@
 #include "agents/text.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace furrow::agents {
 namespace {
 
-constexpr double no_stop = std::numeric_limits<double>::infinity();
 constexpr double there_m = 0.1;  // an aircraft at rest is at its stop, within this
 
 std::string text(const SeenObstacle& o) {

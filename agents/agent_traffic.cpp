@@ -3,15 +3,12 @@
 #include "agents/guidance/coming_track.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace furrow::agents {
 namespace {
 
-constexpr double no_stop = std::numeric_limits<double>::infinity();
 constexpr double answer_s = 3.0;  // in which the way home is answered before it must brake
-constexpr double least_slack_s = 2.0;
 constexpr Duration longest_lead{4'000'000'000};
 
 }  // namespace
@@ -63,7 +60,7 @@ void AgentNode::wait_for_way(Instant begins) {
   if (slot_.is_refused() || (slot_.is_asked() && slot_.claim().departure == Departure::in_motion)) {
     slot_.drop();
   }
-  if (!reaches_home(least_slack_s)) {
+  if (!reaches_home(way_home_slack_s)) {
     note("flies_unasked", "has no pack left to wait for the way home to be clear");
     ask_for_way(Departure::begun, begins);
     return open_way();

@@ -1,3 +1,4 @@
+#include "planner/coverage/plane.hpp"
 #include "scheduler/scheduler_node.hpp"
 
 #include <algorithm>
@@ -10,12 +11,10 @@ constexpr double site_m = 10.0;  // of work, that is taken for one site
 constexpr Duration early = std::chrono::seconds{2}, late = std::chrono::seconds{8};
 constexpr Duration horizon = std::chrono::minutes{5};  // of flights and their delay
 
-// The place of a line that is nearest to `p`.
 FieldPoint nearest(FieldPoint p, FieldPoint from, FieldPoint to) {
-  const double x = (to.x - from.x).base(), y = (to.y - from.y).base(), square = x * x + y * y;
-  const double along = (p.x - from.x).base() * x + (p.y - from.y).base() * y;
-  const double share = square > 0.0 ? std::clamp(along / square, 0.0, 1.0) : 0.0;
-  return from + FieldVector{share * (to.x - from.x), share * (to.y - from.y)};
+  const auto plane = [](FieldPoint at) { return planner::PointM{at.x.base(), at.y.base()}; };
+  const planner::PointM on = planner::nearest_on(plane(p), plane(from), plane(to));
+  return at_m(on.x, on.y);
 }
 
 }  // namespace

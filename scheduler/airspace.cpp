@@ -1,6 +1,7 @@
 #include "scheduler/airspace.hpp"
 
 #include "core/require.hpp"
+#include "planner/coverage/plane.hpp"
 
 #include <algorithm>
 #include <array>
@@ -65,28 +66,9 @@ std::vector<TimedPlace> put_off(std::vector<TimedPlace> track, Duration delay) {
   return track;
 }
 
-using Point = std::array<double, 2>;
-
-double away_m(Point p, Point from, Point to) {
-  const double x = to[0] - from[0], y = to[1] - from[1], square = x * x + y * y;
-  const double along = (p[0] - from[0]) * x + (p[1] - from[1]) * y;
-  const double share = square > 0.0 ? std::clamp(along / square, 0.0, 1.0) : 0.0;
-  return std::hypot(p[0] - from[0] - share * x, p[1] - from[1] - share * y);
-}
-
-double side(Point a, Point b, Point p) {
-  return (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
-}
-
-double apart_m(Point a, Point b, Point p, Point q) {
-  const bool cross = side(a, b, p) * side(a, b, q) < 0.0 && side(p, q, a) * side(p, q, b) < 0.0;
-  if (cross) return 0.0;
-  return std::min({away_m(a, p, q), away_m(b, p, q), away_m(p, a, b), away_m(q, a, b)});
-}
-
 // A stretch of a leg in plan, and when it is flown.
 struct Stretch {
-  Point from, to;
+  planner::PointM from, to;
   Instant enters, leaves;
 };
 
@@ -99,15 +81,15 @@ std::optional<Stretch> low_part(const TimedPlace& a, const TimedPlace& b, double
   const double first = above_a > upright_m ? passes : 0.0,
                last = above_b > upright_m ? passes : 1.0;
   const auto at = [&](double share) {
-    return Point{std::lerp(a.position.x.base(), b.position.x.base(), share),
-                 std::lerp(a.position.y.base(), b.position.y.base(), share)};
+    return planner::PointM{std::lerp(a.position.x.base(), b.position.x.base(), share),
+                           std::lerp(a.position.y.base(), b.position.y.base(), share)};
   };
   const Seconds length = seconds(b.at - a.at);
   return Stretch{at(first), at(last), a.at + duration(first * length),
                  a.at + duration(last * length)};
 }
 
-Point point(FieldPoint p) { return {p.x.base(), p.y.base()}; }
+planner::PointM plane(FieldPoint p) { return {p.x.base(), p.y.base()}; }
 
 }  // namespace
 
@@ -148,7 +130,7 @@ std::vector<Airspace::Pass> Airspace::passes(const FlightClaim& claim,
     if (site.agent == claim.agent) continue;
     for (std::size_t i = 1; i < claim.track.size(); ++i) {
       const auto low = low_part(claim.track[i - 1], claim.track[i], site.altitude_m, upright_m_);
-      if (!low || apart_m(low->from, low->to, point(site.from), point(site.to)) >= line_m_)
+      if (!low || planner::apart_m(low->from, low->to, plane(site.from), plane(site.to)) >= line_m_)
         continue;
       found.push_back({low->enters, low->leaves, site.enters, site.leaves});
     }

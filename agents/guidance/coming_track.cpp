@@ -4,12 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace furrow::agents {
 namespace {
 
-constexpr double no_stop = std::numeric_limits<double>::infinity();
 constexpr double even_m = 0.1;
 constexpr int sampled_periods = 5;
 constexpr int most_periods = 36'000;  // an hour

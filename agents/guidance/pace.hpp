@@ -3,8 +3,12 @@
 #include "agents/guidance/path.hpp"
 
 #include <cstddef>
+#include <limits>
 
 namespace furrow::agents {
+
+/// A stop that is never reached.
+inline constexpr double no_stop = std::numeric_limits<double>::infinity();
 
 /// The point that an aircraft chases: it runs along a path as fast as limits, corners and the stop
 /// ahead allow, one control period at a time.

@@ -33,26 +33,7 @@ bool is_within(const RingM& ring, PointM p) {
   return inside;
 }
 
-bool cross_each_other(PointM a, PointM b, PointM c, PointM d) {
-  const auto side = [](PointM p, PointM q, PointM r) { return cross(q - p, r - p); };
-  return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
-}
-
-// Negative where they cross.
-double between_m(PointM a, PointM b, PointM c, PointM d) {
-  if (cross_each_other(a, b, c, d)) return -1;
-  return std::min(std::min(distance_m(a, c, d), distance_m(b, c, d)),
-                  std::min(distance_m(c, a, b), distance_m(d, a, b)));
-}
-
 }  // namespace
-
-double distance_m(PointM p, PointM a, PointM b) {
-  const PointM way = b - a;
-  const double squared = dot(way, way);
-  const double share = squared > 0 ? std::clamp(dot(p - a, way) / squared, 0.0, 1.0) : 0.0;
-  return norm(p - (a + share * way));
-}
 
 double distance_m(PointM p, const PathM& path) {
   double least = path.empty() ? INFINITY : norm(p - path.front());
@@ -133,7 +114,9 @@ bool Room::is_clear_of(const BarrierM& barrier, const PathM& path) const {
   for (std::size_t i = 0; i < barrier.ring.size(); ++i) {
     const PointM c = barrier.ring[i], d = barrier.ring[(i + 1) % barrier.ring.size()];
     for (std::size_t k = 1; k < path.size(); ++k) {
-      if (between_m(path[k - 1], path[k], c, d) < more_m - rounding_m) return false;
+      const PointM from = path[k - 1], to = path[k];
+      const bool is_near = apart_m(from, to, c, d) < more_m - rounding_m;
+      if (is_near || cross_each_other(from, to, c, d)) return false;
     }
   }
   return true;

@@ -19,7 +19,6 @@ struct BarrierM {
   double clearance_m;  ///< From its edges, >= 0.
 };
 
-double distance_m(PointM p, PointM a, PointM b);
 double distance_m(PointM p, const PathM& path);
 
 /// Where an aircraft may fly: inside the land, outside circles, clear of barriers.

@@ -2,6 +2,7 @@
 // Plane geometry in raw metres for the hot loops of coverage. Public doors speak in
 // FieldPoint and Length; models convert once each way.
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -19,6 +20,30 @@ struct PointM {
 constexpr double cross(PointM a, PointM b) { return a.x * b.y - a.y * b.x; }
 constexpr double dot(PointM a, PointM b) { return a.x * b.x + a.y * b.y; }
 inline double norm(PointM a) { return std::sqrt(dot(a, a)); }
+
+/// The place of the straight line from `a` to `b` that is nearest to `p`.
+inline PointM nearest_on(PointM p, PointM a, PointM b) {
+  const PointM along = b - a;
+  const double square = dot(along, along);
+  const double t = square > 0 ? std::clamp(dot(p - a, along) / square, 0.0, 1.0) : 0.0;
+  return a + t * along;
+}
+
+/// From `p` to the nearest place of the line from `a` to `b`.
+inline double distance_m(PointM p, PointM a, PointM b) { return norm(p - nearest_on(p, a, b)); }
+
+/// Whether the lines from `a` to `b` and from `c` to `d` cross, ends left out.
+constexpr bool cross_each_other(PointM a, PointM b, PointM c, PointM d) {
+  const auto side = [](PointM p, PointM q, PointM r) { return cross(q - p, r - p); };
+  return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
+}
+
+/// Between the lines from `a` to `b` and from `c` to `d`; 0 where they cross.
+inline double apart_m(PointM a, PointM b, PointM c, PointM d) {
+  if (cross_each_other(a, b, c, d)) return 0;
+  return std::min(
+      {distance_m(a, c, d), distance_m(b, c, d), distance_m(c, a, b), distance_m(d, a, b)});
+}
 
 using RingM = std::vector<PointM>;
 using PathM = std::vector<PointM>;

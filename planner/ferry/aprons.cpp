@@ -20,13 +20,6 @@ struct Gap {
   double length_m;
 };
 
-PointM nearest_on(PointM p, PointM a, PointM b) {
-  const PointM along = b - a;
-  const double square = dot(along, along);
-  const double t = square > 0 ? std::clamp(dot(p - a, along) / square, 0.0, 1.0) : 0.0;
-  return a + t * along;
-}
-
 // Ways between two outlines, each from a vertex of one to the nearest place of the other.
 std::vector<Gap> gaps_between(const LandPart& a, const LandPart& b) {
   std::vector<Gap> gaps;

@@ -92,9 +92,7 @@ class FerryMap::Ground {
     PointM best = p;
     double away_m = INFINITY;
     each_edge(land_, [&](PointM a, PointM b) {
-      const PointM along = b - a;
-      const double t = std::clamp(dot(p - a, along) / dot(along, along), 0.0, 1.0);
-      const PointM q = a + t * along;
+      const PointM q = nearest_on(p, a, b);
       if (norm(q - p) < away_m) {
         away_m = norm(q - p);
         best = q;

@@ -22,7 +22,9 @@ namespace fs = std::filesystem;
 class Folder {
  public:
   Folder() {
-    std::string name = (fs::temp_directory_path() / "furrow_layers_XXXXXX").string();
+    // Its name ends as mkdtemp asks for.
+    std::string name =
+        (fs::temp_directory_path() / "furrow_layers_").string() + std::string(6, 'X');
     REQUIRE(mkdtemp(name.data()));
     path_ = name;
   }

@@ -4,17 +4,6 @@
 #include <cmath>
 
 namespace furrow::planner {
-namespace {
-
-double distance_to_edge_m(PointM p, PointM a, PointM b) {
-  const PointM along = b - a;
-  const double square = dot(along, along);
-  const double t = square > 0 ? std::clamp(dot(p - a, along) / square, 0.0, 1.0) : 0.0;
-  return norm(p - (a + t * along));
-}
-
-}  // namespace
-
 EdgeGrid::EdgeGrid(const LandPart& part) {
   const auto add_ring = [&](const RingM& ring, int number) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -89,7 +78,7 @@ void EdgeGrid::each_near(PointM a, PointM b, Use use) const {
 const EdgeGrid::Edge* EdgeGrid::edge_at(PointM p) const {
   const Edge* found = nullptr;
   each_near(p, p, [&](const Edge& edge) {
-    if (distance_to_edge_m(p, edge.from, edge.to) <= touch_m) found = &edge;
+    if (distance_m(p, edge.from, edge.to) <= touch_m) found = &edge;
     return found == nullptr;
   });
   return found;
@@ -124,8 +113,8 @@ bool EdgeGrid::sees(PointM a, PointM b) const {
     }
     const double t = t_from + (t_to - t_from) * side_from / (side_from - side_to);
     if (t < -touch_m || t > length_m + touch_m) return true;
-    const bool ends_on_edge = distance_to_edge_m(a, edge.from, edge.to) <= touch_m ||
-                              distance_to_edge_m(b, edge.from, edge.to) <= touch_m;
+    const bool ends_on_edge = distance_m(a, edge.from, edge.to) <= touch_m ||
+                              distance_m(b, edge.from, edge.to) <= touch_m;
     if (ends_on_edge) {
       touches.push_back(t);
       return true;

@@ -128,19 +128,16 @@ bool InsidePaths::is_clear(PointM apex, PointM a, PointM b) const {
 void InsidePaths::fill(const Fan& fan, std::span<const PointM> line, Arrival first, Arrival last,
                        std::span<double> ways_m) const {
   if (line.size() <= 2) return;
-  const bool is_alike = first.past == last.past && first.way_m < INFINITY && last.way_m < INFINITY;
+  const bool is_alike = first.past == last.past && std::max(first.way_m, last.way_m) < INFINITY;
   const bool is_straight = first.past == straight;
-  if (is_alike &&
-      is_clear(is_straight ? fan.from : corners_[first.past].at, line.front(), line.back())) {
+  const PointM apex = is_straight ? fan.from : corners_[first.past].at;
+  if (is_alike && is_clear(apex, line.front(), line.back())) {
+    const double to_apex_m = is_straight ? 0.0 : fan.corner_m[first.past];
+    // Around holes another way may be shorter in the middle of a line though at no end of it.
+    const bool may_be_shorter = !is_straight && rings_.size() > 1;
     for (std::size_t i = 1; i + 1 < line.size(); ++i) {
-      if (is_straight) {
-        ways_m[i] = norm(line[i] - fan.from);
-        continue;
-      }
-      const Arrival past{fan.corner_m[first.past] + norm(line[i] - corners_[first.past].at),
-                         first.past};
-      // Around holes another way may be shorter in the middle of a line though at no end of it.
-      ways_m[i] = rings_.size() == 1 ? past.way_m : nearest_past(fan, line[i], past).way_m;
+      const Arrival past{to_apex_m + norm(line[i] - apex), first.past};
+      ways_m[i] = may_be_shorter ? nearest_past(fan, line[i], past).way_m : past.way_m;
     }
     return;
   }

@@ -30,12 +30,7 @@ struct Stretch {
   double low_m, high_m, missed_m2;
 };
 
-double distance_m(PointM p, const Edge& edge) {
-  const PointM along = edge.to - edge.from;
-  const double square = dot(along, along);
-  const double t = square > 0 ? std::clamp(dot(p - edge.from, along) / square, 0.0, 1.0) : 0.0;
-  return norm(p - (edge.from + t * along));
-}
+double distance_m(PointM p, const Edge& edge) { return planner::distance_m(p, edge.from, edge.to); }
 
 PointM middle_of(const RingM& ring) {
   PointM sum{0, 0};
