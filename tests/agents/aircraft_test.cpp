@@ -7,12 +7,9 @@
 #include "agents/guidance/height_profile.hpp"
 
 #include <catch2/catch.hpp>
-#include <limits>
 
 namespace furrow::agents {
 namespace {
-
-constexpr double no_stop = std::numeric_limits<double>::infinity();
 
 struct Flown {
   double time_s = 0.0, planned_s = 0.0, spray_m = 0.0;

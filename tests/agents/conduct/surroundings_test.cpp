@@ -6,12 +6,9 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <limits>
 
 namespace furrow::agents {
 namespace {
-
-constexpr double no_stop = std::numeric_limits<double>::infinity();
 
 // Room to x = -half .. half beside a line to the north, 2 m clear of what is seen.
 Surroundings alley(double half_m, const std::vector<SeenObstacle>& seen = {}) {

@@ -6,12 +6,8 @@
 
 #include <catch2/catch.hpp>
 
-#include <limits>
-
 namespace furrow::agents {
 namespace {
-
-constexpr double no_stop = std::numeric_limits<double>::infinity();
 
 Path bent_path() {
   Path path{{0, 0}, {.acceleration_mps2 = 2.85, .corner_cut_m = 1.0, .min_radius_m = 0.0}};
