@@ -8,6 +8,11 @@ if(FURROW_SANITIZE)
   target_link_options(furrow_options INTERFACE -fsanitize=${FURROW_SANITIZE})
 endif()
 
+# What most sources include, parsed once for each library: a third of the time to compile.
+set(FURROW_COMMON_HEADERS
+    <algorithm> <array> <chrono> <cmath> <cstdint> <filesystem> <functional> <limits> <map> <memory>
+    <numbers> <numeric> <optional> <set> <span> <string> <string_view> <tuple> <utility> <vector>)
+
 # furrow_library(<folder> SOURCES ... [PUBLIC ...] [PRIVATE ...])
 # The pure part of a folder. PRIVATE names what no header of it may mention.
 function(furrow_library name)
@@ -15,6 +20,10 @@ function(furrow_library name)
   add_library(furrow_${name} STATIC ${ARG_SOURCES})
   add_library(furrow::${name} ALIAS furrow_${name})
   target_include_directories(furrow_${name} PUBLIC ${PROJECT_SOURCE_DIR})
+  target_precompile_headers(furrow_${name} PRIVATE ${FURROW_COMMON_HEADERS})
+  if(fmt::fmt IN_LIST ARG_PUBLIC OR fmt::fmt IN_LIST ARG_PRIVATE)
+    target_precompile_headers(furrow_${name} PRIVATE <fmt/format.h>)
+  endif()
   target_link_libraries(furrow_${name} PUBLIC furrow_options ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
 endfunction()
 
