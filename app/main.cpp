@@ -68,105 +68,114 @@ void add_results(CLI::App& command, Options& options) {
   command.add_flag("--quiet", options.quiet, "No progress, no summary");
 }
 
+// What the command line says in words of its own.
+struct Words {
+  std::string speed = "max";
+  std::string remote_agents;
+};
+
+void add_flight(CLI::App& command, Options& options) {
+  add_scenario(command, options);
+  add_results(command, options);
+  command.footer(
+      "Ctrl-C keeps the results so far, marked partial (code 1); during planning it waits for "
+      "the plan, and a second one ends at once with code 130 and nothing written.");
+}
+
+void add_processes(CLI::App& command, Options& options, Words& words) {
+  command.add_option("--speed", words.speed,
+                     "max, times real time (granted by the clock), or wall (real time)");
+  command
+      .add_option("--agents-per-process", options.agents_per_process,
+                  "Aircraft hosted by one process")
+      ->check(digits)
+      ->check(CLI::Range(1, 50));
+  command.add_option("--interface", options.interface, "Address of the network interface to use");
+  command
+      .add_option("--remote-agents", words.remote_agents,
+                  "Aircraft of another host, 7 or 3-4: prints the commands to start there")
+      ->check(something);
+  command
+      .add_option("--start-in", options.start_in_s, "Seconds until a mission in real time begins")
+      ->check(digits)
+      ->check(CLI::Range(1, 3600));
+}
+
+void add_order(CLI::App& command, Options& options) {
+  command.add_option("folder", options.folder, "Where the run will write its results")->required();
+  command
+      .add_option("order", options.order, "pause, resume, return-all, stop, or take-out with a UAV")
+      ->required();
+  command.add_option("uav", options.uav, "Number of the UAV to take out");
+  command.add_option("--wait", options.patience_s, "Longest wait for the answer [s]")
+      ->check(digits)
+      ->check(CLI::Range(1, 3600));
+  command.footer(
+      "Code 0: the fleet obeys; 1: the order is refused, or not answered in time; 2: no such run, "
+      "order or UAV.");
+}
+
+void add_export(CLI::App& command, Options& options) {
+  command.add_option("folder", options.folder, "Results of plan, sim or run")->required();
+  command.add_option("--format", options.format, "qgc-plan, waypoints, geojson, kml or csv")
+      ->required();
+  command.add_option("--out", options.out, "Folder for the files (default FOLDER/export)");
+  command.add_flag("--quiet", options.quiet, "Say nothing");
+}
+
+// What is wrong with the words, or nothing.
+std::string read_words(const Words& words, Options& options) {
+  if (std::string error = set_pace(options.pace, words.speed); !error.empty()) return error;
+  if (words.remote_agents.empty()) return {};
+  options.remote_agents = agent_range(words.remote_agents);
+  if (options.remote_agents && options.pace.kind == Pace::Kind::wall) return {};
+  return "--remote-agents: must be a number or a range like 3-4, with --speed wall (got " +
+         words.remote_agents + ")";
+}
+
+using Action = int (*)(const Options&);
+
+// Adds every command, each of which sets `chosen`.
+void add_commands(CLI::App& app, Options& options, Words& words, Action& chosen) {
+  const auto command = [&](const char* name, const char* about, Action action) -> CLI::App& {
+    CLI::App& added = *app.add_subcommand(name, about);
+    added.callback([&chosen, action] { chosen = action; });
+    return added;
+  };
+  add_scenario(command("check", "Say every error of a scenario", check), options);
+  CLI::App& planned = command("plan", "Plan only", plan);
+  add_scenario(planned, options);
+  add_results(planned, options);
+  add_flight(command("sim", "Fly in one process on a virtual clock", sim), options);
+  CLI::App& flown =
+      command("run", "Fly as one process per scheduler, station and agent, over DDS", run);
+  add_flight(flown, options);
+  add_processes(flown, options, words);
+  add_order(command("operate", "Give an order to a run that is going on", operate), options);
+  add_export(
+      command("export", "Write a mission's sorties for other tools, in WGS84", export_missions),
+      options);
+}
+
 int furrow(int argc, char** argv) {
   CLI::App app{"Plans and flies crop-spraying missions of several UAVs.", "furrow"};
   app.require_subcommand(1);
   app.failure_message(CLI::FailureMessage::help);
   Options options;
   options.program_folder = std::filesystem::canonical("/proc/self/exe").parent_path();
-
-  CLI::App* check_command = app.add_subcommand("check", "Say every error of a scenario");
-  add_scenario(*check_command, options);
-
-  CLI::App* plan_command = app.add_subcommand("plan", "Plan only");
-  add_scenario(*plan_command, options);
-  add_results(*plan_command, options);
-
-  CLI::App* sim_command = app.add_subcommand("sim", "Fly in one process on a virtual clock");
-  add_scenario(*sim_command, options);
-  add_results(*sim_command, options);
-
-  CLI::App* run_command =
-      app.add_subcommand("run", "Fly as one process per scheduler, station and agent, over DDS");
-  for (CLI::App* command : {sim_command, run_command}) {
-    command->footer(
-        "Ctrl-C keeps the results so far, marked partial (code 1); during planning it waits for "
-        "the plan, and a second one ends at once with code 130 and nothing written.");
-  }
-  add_scenario(*run_command, options);
-  add_results(*run_command, options);
-  std::string speed = "max";
-  run_command->add_option("--speed", speed,
-                          "max, times real time (granted by the clock), or wall (real time)");
-  run_command
-      ->add_option("--agents-per-process", options.agents_per_process,
-                   "Aircraft hosted by one process")
-      ->check(digits)
-      ->check(CLI::Range(1, 50));
-  run_command->add_option("--interface", options.interface,
-                          "Address of the network interface to use");
-
-  std::string remote;
-  run_command
-      ->add_option("--remote-agents", remote,
-                   "Aircraft of another host, 7 or 3-4: prints the commands to start there")
-      ->check(something);
-  run_command
-      ->add_option("--start-in", options.start_in_s, "Seconds until a mission in real time begins")
-      ->check(digits)
-      ->check(CLI::Range(1, 3600));
-
-  CLI::App* operate_command =
-      app.add_subcommand("operate", "Give an order to a run that is going on");
-  operate_command->add_option("folder", options.folder, "Where the run will write its results")
-      ->required();
-  operate_command
-      ->add_option("order", options.order,
-                   "pause, resume, return-all, stop, or take-out with a UAV")
-      ->required();
-  operate_command->add_option("uav", options.uav, "Number of the UAV to take out");
-  operate_command->add_option("--wait", options.patience_s, "Longest wait for the answer [s]")
-      ->check(digits)
-      ->check(CLI::Range(1, 3600));
-  operate_command->footer(
-      "Code 0: the fleet obeys; 1: the order is refused, or not answered in time; 2: no such run, "
-      "order or UAV.");
-
-  CLI::App* export_command =
-      app.add_subcommand("export", "Write a mission's sorties for other tools, in WGS84");
-  export_command->add_option("folder", options.folder, "Results of plan, sim or run")->required();
-  export_command->add_option("--format", options.format, "qgc-plan, waypoints, geojson, kml or csv")
-      ->required();
-  export_command->add_option("--out", options.out, "Folder for the files (default FOLDER/export)");
-  export_command->add_flag("--quiet", options.quiet, "Say nothing");
-
+  Words words;
+  Action chosen = nullptr;
+  add_commands(app, options, words, chosen);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? Exit::done : Exit::bad_input;
   }
-  if (const std::string error = set_pace(options.pace, speed); !error.empty()) {
+  if (const std::string error = read_words(words, options); !error.empty()) {
     std::fprintf(stderr, "furrow: %s\n", error.c_str());
     return Exit::bad_input;
   }
-
-  if (!remote.empty()) {
-    options.remote_agents = agent_range(remote);
-    if (!options.remote_agents || options.pace.kind != Pace::Kind::wall) {
-      std::fprintf(stderr,
-                   "furrow: --remote-agents: must be a number or a range like 3-4, with --speed "
-                   "wall (got %s)\n",
-                   remote.c_str());
-      return Exit::bad_input;
-    }
-  }
-
-  if (check_command->parsed()) return check(options);
-  if (plan_command->parsed()) return plan(options);
-  if (sim_command->parsed()) return sim(options);
-  if (operate_command->parsed()) return operate(options);
-  if (export_command->parsed()) return export_missions(options);
-  return run(options);
+  return chosen(options);
 }
 
 }  // namespace
