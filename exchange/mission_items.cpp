@@ -1,5 +1,6 @@
 #include "exchange/mission_items.hpp"
 
+#include <cmath>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -12,7 +13,7 @@ using nlohmann::json;
 MissionItem at_place(int command, GeoPoint place, Length altitude) {
   return {mavlink::frame_relative_altitude,
           command,
-          {0, 0, 0, 0, place.lat_deg, place.lon_deg, altitude.base()}};
+          {0, 0, 0, 0, place.lat_deg, place.lon_deg, std::round(1000 * altitude.base()) / 1000}};
 }
 
 MissionItem speed_item(Speed speed) {
@@ -50,19 +51,19 @@ std::string waypoint_line(std::size_t number, const MissionItem& item) {
 
 std::vector<MissionItem> mission_items(const SortieTrack& track, const LocalFrame& frame) {
   std::vector<MissionItem> items{
-      at_place(mavlink::take_off, frame.to_wgs84(track.home), track.altitude),
+      at_place(mavlink::take_off, frame.to_wgs84(track.home), track.take_off),
       speed_item(track.ferry_speed)};
   bool is_open = false;
   for (std::size_t i = 0; i < track.points.size(); ++i) {
     const TrackPoint& point = track.points[i];
-    items.push_back(at_place(mavlink::waypoint, frame.to_wgs84(point.at), track.altitude));
+    items.push_back(at_place(mavlink::waypoint, frame.to_wgs84(point.at), point.altitude));
     const bool opens = point.is_spraying && i + 1 < track.points.size();
     if (opens == is_open) continue;
     items.push_back(sprayer_item(opens));
     items.push_back(speed_item(opens ? track.spray_speed : track.ferry_speed));
     is_open = opens;
   }
-  items.push_back(at_place(mavlink::land, frame.to_wgs84(track.landing), metres(0)));
+  items.push_back(at_place(mavlink::land, frame.to_wgs84(track.landing), track.landing_ground));
   return items;
 }
 

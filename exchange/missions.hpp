@@ -17,7 +17,9 @@ namespace furrow::exchange {
 struct TrackPoint {
   FieldPoint at;
   bool is_spraying;
-  Length width{};  ///< Of the spray, where only a part of the boom is open; 0: all of it.
+  Length width{};     ///< Of the spray, where only a part of the boom is open; 0: all of it.
+  Length altitude{};  ///< Above home.
+  Length ground{};    ///< Of the ground there, above home.
 };
 
 /// One trip of one aircraft: from home over the points to the place where it lands.
@@ -27,7 +29,8 @@ struct SortieTrack {
   FieldPoint home;       ///< Where it takes off.
   FieldPoint landing;    ///< Where it lands: the station that serves it next, or its last.
   std::vector<TrackPoint> points;  ///< At least one. The valve closes at the last at the latest.
-  Length altitude;                 ///< Above home, > 0.
+  Length take_off;                 ///< So high above home, > 0, before the first point.
+  Length landing_ground{};         ///< Of the landing place, above home.
   Speed spray_speed, ferry_speed;  ///< > 0
 };
 
@@ -52,6 +55,7 @@ std::optional<MissionFormat> format_of_file(std::string_view file_name);
 /// on and off, land at the landing place. An item that acts is placed behind the waypoint where it
 /// acts. geojson and kml hold one line per stretch of one valve state, csv one row per point, all
 /// with home first and the landing place last. Only geojson and csv tell the width of the spray.
+/// Heights are above home, in kml above the ground.
 std::string mission_file(const SortieTrack& track, const LocalFrame& frame, MissionFormat format);
 
 }  // namespace furrow::exchange

@@ -1,5 +1,6 @@
 #include "exchange/track_lines.hpp"
 
+#include <cmath>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -10,18 +11,20 @@ namespace {
 using nlohmann::json;
 
 struct Stop {
-  GeoPoint at;
+  LinePoint place;
   bool is_spraying;  // from here on
   Length width{};
 };
 
 std::vector<Stop> stops(const SortieTrack& track, const LocalFrame& frame) {
-  std::vector<Stop> stops{{frame.to_wgs84(track.home), false}};
+  std::vector<Stop> stops{{{frame.to_wgs84(track.home), track.take_off, {}}, false}};
   for (const TrackPoint& point : track.points) {
-    stops.push_back({frame.to_wgs84(point.at), point.is_spraying, point.width});
+    stops.push_back(
+        {{frame.to_wgs84(point.at), point.altitude, point.ground}, point.is_spraying, point.width});
   }
-  stops.back() = {stops.back().at, false};
-  stops.push_back({frame.to_wgs84(track.landing), false});
+  stops.back() = {stops.back().place, false};
+  const Length ground = track.landing_ground;
+  stops.push_back({{frame.to_wgs84(track.landing), ground + track.take_off, ground}, false});
   return stops;
 }
 
@@ -33,10 +36,14 @@ std::string title(const SortieTrack& track) {
   return fmt::format("UAV {} sortie {}", number(track.uav), track.sortie);
 }
 
-std::string placemark(const TrackLine& line, double altitude_m) {
+// To the millimetre: heights over terrain have no end of digits.
+double height_m(Length height) { return std::round(1000 * height.base()) / 1000; }
+
+std::string placemark(const TrackLine& line) {
   std::string coordinates;
-  for (const GeoPoint p : line.points) {
-    coordinates += fmt::format("{:.9f},{:.9f},{} ", p.lon_deg, p.lat_deg, altitude_m);
+  for (const LinePoint& p : line.points) {
+    coordinates += fmt::format("{:.9f},{:.9f},{} ", p.at.lon_deg, p.at.lat_deg,
+                               height_m(p.altitude - p.ground));
   }
   const char* state = line.is_spraying ? "spray" : "ferry";
   return fmt::format(
@@ -54,9 +61,9 @@ std::vector<TrackLine> track_lines(const SortieTrack& track, const LocalFrame& f
   for (std::size_t i = 0; i + 1 < all.size(); ++i) {
     if (lines.empty() || lines.back().is_spraying != all[i].is_spraying ||
         lines.back().width != all[i].width) {
-      lines.push_back({{all[i].at}, all[i].is_spraying, all[i].width});
+      lines.push_back({{all[i].place}, all[i].is_spraying, all[i].width});
     }
-    lines.back().points.push_back(all[i + 1].at);
+    lines.back().points.push_back(all[i + 1].place);
   }
   return lines;
 }
@@ -65,8 +72,8 @@ std::string geojson(const SortieTrack& track, const LocalFrame& frame) {
   json features = json::array();
   for (const TrackLine& line : track_lines(track, frame)) {
     json coordinates = json::array();
-    for (const GeoPoint p : line.points) {
-      coordinates.push_back({p.lon_deg, p.lat_deg, track.altitude.base()});
+    for (const LinePoint& p : line.points) {
+      coordinates.push_back({p.at.lon_deg, p.at.lat_deg, height_m(p.altitude)});
     }
     features.push_back(
         {{"type", "Feature"},
@@ -75,8 +82,7 @@ std::string geojson(const SortieTrack& track, const LocalFrame& frame) {
            {"sortie", track.sortie},
            {"part", features.size() + 1},
            {"spraying", line.is_spraying},
-           {"speed_mps", speed_mps(track, line.is_spraying)},
-           {"altitude_m", track.altitude.base()}}},
+           {"speed_mps", speed_mps(track, line.is_spraying)}}},
          {"geometry", {{"type", "LineString"}, {"coordinates", std::move(coordinates)}}}});
     if (line.width > Length{}) features.back()["properties"]["width_m"] = line.width.base();
   }
@@ -93,7 +99,7 @@ std::string kml(const SortieTrack& track, const LocalFrame& frame) {
       "id=\"ferry\"><LineStyle><color>ff808080</color><width>2</width></LineStyle></Style>\n",
       title(track));
   for (const TrackLine& line : track_lines(track, frame)) {
-    file += placemark(line, track.altitude.base());
+    file += placemark(line);
   }
   return file + "</Document></kml>\n";
 }
@@ -103,8 +109,9 @@ std::string csv(const SortieTrack& track, const LocalFrame& frame) {
   std::size_t point = 0;
   for (const Stop& stop : stops(track, frame)) {
     file += fmt::format("{},{},{},{:.9f},{:.9f},{},{},{},{}\n", number(track.uav), track.sortie,
-                        point++, stop.at.lon_deg, stop.at.lat_deg, track.altitude.base(),
-                        stop.is_spraying ? 1 : 0, speed_mps(track, stop.is_spraying),
+                        point++, stop.place.at.lon_deg, stop.place.at.lat_deg,
+                        height_m(stop.place.altitude), stop.is_spraying ? 1 : 0,
+                        speed_mps(track, stop.is_spraying),
                         stop.width > Length{} ? fmt::format("{}", stop.width.base()) : "");
   }
   return file;

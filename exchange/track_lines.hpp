@@ -7,9 +7,15 @@
 
 namespace furrow::exchange {
 
+/// A place with heights above home.
+struct LinePoint {
+  GeoPoint at;
+  Length altitude, ground;
+};
+
 /// A stretch of a sortie flown with one valve state and width; neighbours share a point.
 struct TrackLine {
-  std::vector<GeoPoint> points;  ///< At least 2.
+  std::vector<LinePoint> points;  ///< At least 2.
   bool is_spraying;
   Length width;  ///< As of its points.
 };

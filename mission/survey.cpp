@@ -1,6 +1,7 @@
 #include "mission/survey.hpp"
 
 #include "mission/polygon.hpp"
+#include "mission/search.hpp"
 
 #include <algorithm>
 
@@ -8,19 +9,6 @@ namespace furrow::mission {
 namespace {
 
 constexpr std::size_t most_way_points = 500;
-
-planner::RouteSettings read_search(const Section& s) {
-  const auto& planners = planner::route_planners;
-  std::vector<std::string> names;
-  for (const planner::RoutePlanner p : planners) names.emplace_back(planner::name(p));
-  planner::RouteSettings search;
-  const auto usual = std::find(std::begin(planners), std::end(planners), search.planner);
-  const auto chosen =
-      s.choice("planner", names, static_cast<std::size_t>(usual - std::begin(planners)));
-  search.planner = planners[chosen];
-  search.evaluations = s.whole("evaluations", 100, 10'000'000, search.evaluations);
-  return search;
-}
 
 std::vector<FieldPoint> read_way_points(const Section& survey, const Field& field) {
   std::vector<FieldPoint> places;
@@ -46,7 +34,7 @@ std::optional<planner::SurveySettings> read_survey(const Section& root, Scenario
   const Section s = root.section("survey");
   planner::SurveySettings survey{.way_points = read_way_points(s, scenario.field),
                                  .height = metres(s.number("height_m", above_to(0, 1000), 30)),
-                                 .search = read_search(s)};
+                                 .search = *read_search(s, {})};
   if (!root.has("survey")) return std::nullopt;
   if (survey.way_points.empty()) {
     s.fail("way_points", "must hold at least one way point");

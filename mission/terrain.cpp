@@ -1,12 +1,14 @@
 #include "mission/terrain.hpp"
 
 #include "exchange/heights.hpp"
+#include "mission/search.hpp"
 
 #include <fmt/format.h>
 
 namespace furrow::mission {
 namespace {
 
+constexpr planner::RouteSettings ferry_search{.evaluations = 1000};
 constexpr std::size_t most_peaks = 1'000, most_volumes = 1'000;
 
 std::vector<planner::Peak> read_peaks(const Section& terrain) {
@@ -114,9 +116,11 @@ std::optional<planner::TerrainModel> read_terrain(const Section& s, const Scenar
   auto raster = read_raster(s, scenario);
   planner::AnalyticTerrain formula{.base = read_base(s), .peaks = read_peaks(s)};
   const bool is_level = !raster && !formula.base && formula.peaks.empty();
-  planner::TerrainModel model{.ground = planner::AnalyticTerrain{},
-                              .rule = read_heights_kept(s),
-                              .keep_out = read_keep_out(s)};
+  planner::TerrainModel model{
+      .ground = planner::AnalyticTerrain{},
+      .rule = read_heights_kept(s),
+      .keep_out = read_keep_out(s),
+      .ferries = read_search(s.section("ferries"), ferry_search, "shortest")};
   if (raster) {
     model.ground = std::move(*raster);
   } else {
@@ -124,8 +128,9 @@ std::optional<planner::TerrainModel> read_terrain(const Section& s, const Scenar
   }
   if (!is_level) return model;
   const bool is_broken = s.has("file") || s.has("peaks") || s.has("base");
-  for (const char* key : {"spray_height_m", "clearance_m", "ceiling_m", "climb_mps", "descent_mps",
-                          "climb_energy_s_per_m", "slowest", "layers", "layer_m", "keep_out"}) {
+  for (const char* key :
+       {"spray_height_m", "clearance_m", "ceiling_m", "climb_mps", "descent_mps",
+        "climb_energy_s_per_m", "slowest", "layers", "layer_m", "keep_out", "ferries"}) {
     if (s.has(key) && !is_broken) {
       s.fail(key, "needs peaks, base or file: level land is flown without heights");
     }

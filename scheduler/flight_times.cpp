@@ -192,7 +192,7 @@ const FlightTimes::Places& FlightTimes::way_home(std::uint32_t stand, std::uint3
   if (back_m[cell] <= distance(stop, station).base() + same_place_m) return straight;
   const auto [known, is_new] = ways_home_.try_emplace({stand, cell});
   if (is_new) {
-    const Places way = ferries_.way(stop, station);
+    const Places way = ferries_.ferry_way(stop, station, vehicle_);
     known->second.assign(way.begin() + 1, way.end() - 1);
   }
   return known->second;
@@ -203,7 +203,8 @@ const FlightTimes::Places& FlightTimes::way_out(bool is_first, std::uint32_t sta
                                                 std::uint32_t cell, FieldPoint begin) const {
   const auto [known, is_new] = ways_out_.try_emplace({is_first, is_first ? 0 : stand, cell});
   if (is_new) {
-    const Places way = ferries_.way(is_first ? vehicle_.home : stands_[stand].station, begin);
+    const FieldPoint from = is_first ? vehicle_.home : stands_[stand].station;
+    const Places way = ferries_.ferry_way(from, begin, vehicle_);
     known->second.assign(way.begin() + 1, way.end() - 1);
   }
   return known->second;

@@ -1,6 +1,7 @@
 #include "scheduler/plan_fleet.hpp"
 
 #include "core/require.hpp"
+#include "scheduler/ceiling.hpp"
 #include "scheduler/draft.hpp"
 #include "scheduler/fleet_returns.hpp"
 #include "scheduler/joint_plan.hpp"
@@ -309,7 +310,7 @@ Extent flown_over(const Field& field, const std::vector<FieldPoint>& stands) {
 }
 
 std::optional<PlanError> terrain_fault(const planner::Relief& relief, const Ring& boundary,
-                                       bool is_survey) {
+                                       bool is_survey, bool is_searched) {
   for (const planner::KeepOut& volume : relief.keep_out()) {
     if (is_survey || !is_over(volume, boundary)) continue;
     return PlanError{PlanFault::out_of_reach,
@@ -317,6 +318,7 @@ std::optional<PlanError> terrain_fault(const planner::Relief& relief, const Ring
                                  volume.x_m, volume.y_m)};
   }
   const auto ceiling = relief.rule().ceiling;
+  if (is_searched) return std::nullopt;  // ferries lead around what is too high, or see below
   if (ceiling && relief.highest_ferry_m() > ceiling->base()) {
     return PlanError{PlanFault::out_of_reach,
                      fmt::format("ferries need {:.1f} m over the highest ground, the ceiling is "
@@ -366,8 +368,10 @@ Expected<planner::FerryMap, PlanError> ferry_map(const FleetProblem& problem) {
   for (const Vehicle& vehicle : whole_fleet(problem)) add(vehicle.home);
   if (!problem.terrain) return planner::FerryMap::over(field, rule, stands);
   const planner::Relief relief{*problem.terrain, flown_over(field, stands)};
-  if (auto fault = terrain_fault(relief, field.boundary, problem.survey.has_value()))
+  if (auto fault = terrain_fault(relief, field.boundary, problem.survey.has_value(),
+                                 problem.terrain->ferries.has_value())) {
     return Unexpected{std::move(*fault)};
+  }
   for (const planner::KeepOut& volume : relief.keep_out()) {
     field.obstacles.push_back({.id = "keep-out",
                                .center = at_m(volume.x_m, volume.y_m),
@@ -375,7 +379,7 @@ Expected<planner::FerryMap, PlanError> ferry_map(const FleetProblem& problem) {
   }
   auto map = planner::FerryMap::over(field, rule, stands);
   if (!map) return map;
-  return map->over_ground(relief);
+  return map->over_ground(relief, problem.terrain->ferries);
 }
 
 Expected<FleetPlan, PlanError> plan_fleet(const FleetProblem& problem) {
@@ -412,6 +416,7 @@ Expected<FleetPlan, PlanError> plan_fleet(const FleetProblem& problem) {
     plan.route = std::move(s.coverage.route);
   }
   forget_refuted_bound(plan);
+  if (auto fault = ceiling_fault(plan, problem.stations)) return Unexpected{std::move(*fault)};
   add_joining(plan, problem);
   return plan;
 }

@@ -1,6 +1,7 @@
 #include "agents/conduct/sortie_route.hpp"
 
 #include "agents/aircraft.hpp"
+#include "planner/coverage/route.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -74,19 +75,26 @@ class Laying {
   }
   /// By the way points of an approach at their heights, where it has any; and on to `entry`.
   double approach(const Piece& piece, Speed speed, Corner corner) {
-    if (relief_ == nullptr || piece.approach_altitudes_m.empty()) {
-      for (const FieldPoint at : piece.approach) pass(at, vehicle_.ferry_speed, Corner::held);
-      return work(piece.entry, speed, corner);
+    if (relief_ != nullptr && !piece.approach_altitudes_m.empty()) {
+      const auto way =
+          relief_->way_at(at_, piece.approach, piece.approach_altitudes_m, piece.entry);
+      return over(relief_->straight(way, speed), corner, Corner::held);
     }
-    const auto way = relief_->way_at(at_, piece.approach, piece.approach_altitudes_m, piece.entry);
-    return over(relief_->straight(way, speed), corner, Corner::held);
+    std::vector<FieldPoint> way{at_};
+    way.insert(way.end(), piece.approach.begin(), piece.approach.end());
+    way.push_back(piece.entry);
+    if (relief_ != nullptr && planner::is_high(way)) {
+      return over(relief_->ferry(led_around(way), vehicle_), corner, Corner::held);
+    }
+    for (const FieldPoint at : piece.approach) pass(at, vehicle_.ferry_speed, Corner::held);
+    return work(piece.entry, speed, corner);
   }
   double ferry(FieldPoint to, Corner corner = Corner::cut) {
     const Speed speed = vehicle_.ferry_speed;
-    const std::vector<FieldPoint> way = ferries_.way(at_, to);
+    const std::vector<FieldPoint> way = ferries_.ferry_way(at_, to, vehicle_);
     if (relief_ != nullptr) {
       const auto led = led_around(way);
-      return over(relief_->ferry(led, speed, relief_->layer_of(vehicle_.id)), corner);
+      return over(relief_->ferry(led, vehicle_), corner);
     }
     for (std::size_t i = 1; i + 1 < way.size(); ++i) pass(way[i], speed, Corner::cut);
     return work(to, speed, corner);
@@ -263,7 +271,6 @@ SortieRoute sortie_route(Xy from_m, std::span<const Piece> pieces, Xy to_m, cons
 
 void lift_ferries(SortieRoute& route, Length layer, Length begins, const Vehicle& v,
                   const planner::HeightRule& rule) {
-  constexpr double least_gap_m = 20.0;
   const double up = rule.climb / v.ferry_speed, down = rule.descent / v.ferry_speed;
   double from_m = 0.0, begins_m = begins.base();
   const auto hop = [&](double to_m) {
@@ -272,7 +279,8 @@ void lift_ferries(SortieRoute& route, Length layer, Length begins, const Vehicle
   };
   for (const PieceOnPath& piece : route.pieces) {
     const bool is_visit = piece.piece.entry == piece.piece.exit;
-    const bool is_way = from_m == 0.0 || (!is_visit && piece.open_m - from_m > least_gap_m);
+    const bool is_way =
+        from_m == 0.0 || (!is_visit && piece.open_m - from_m > planner::longest_low_way.base());
     if (is_way) hop(piece.open_m);
     from_m = piece.close_m;
   }
@@ -287,7 +295,7 @@ double ferry_pack_m(FieldPoint from, FieldPoint to, const Vehicle& v,
                     const planner::FerryMap& ferries) {
   const planner::Relief* relief = ferries.relief();
   if (relief == nullptr) return ferries.length(from, to).base();
-  const auto air = ferries.air_way(from, to, v.ferry_speed, relief->layer_of(v.id));
+  const auto air = relief->ferry(ferries.ferry_way(from, to, v), v);
   return relief->cost(from, air).energy_s * v.ferry_speed.base();
 }
 

@@ -8,7 +8,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int version = 2;  // 1 knew no landing place
+constexpr int version = 3;  // 2 knew one height of a sortie, 1 no landing place
 
 Json point(FieldPoint p) { return Json::array({p.x.base(), p.y.base()}); }
 
@@ -17,14 +17,16 @@ FieldPoint point(const Json& json) { return at_m(json.at(0), json.at(1)); }
 Json to_json(const exchange::SortieTrack& track) {
   Json points = Json::array();
   for (const exchange::TrackPoint& p : track.points) {
-    points.push_back({p.at.x.base(), p.at.y.base(), p.is_spraying ? 1 : 0});
+    points.push_back(
+        {p.at.x.base(), p.at.y.base(), p.altitude.base(), p.ground.base(), p.is_spraying ? 1 : 0});
     if (p.width > Length{}) points.back().push_back(p.width.base());
   }
   return {{"uav", number(track.uav)},
           {"sortie", track.sortie},
           {"home_m", point(track.home)},
           {"landing_m", point(track.landing)},
-          {"altitude_m", track.altitude.base()},
+          {"take_off_m", track.take_off.base()},
+          {"landing_ground_m", track.landing_ground.base()},
           {"spray_speed_mps", track.spray_speed.base()},
           {"ferry_speed_mps", track.ferry_speed.base()},
           {"points", std::move(points)}};
@@ -36,12 +38,16 @@ exchange::SortieTrack track(const Json& json) {
                               .home = point(json.at("home_m")),
                               .landing = point(json.at("landing_m")),
                               .points = {},
-                              .altitude = metres(json.at("altitude_m")),
+                              .take_off = metres(json.at("take_off_m")),
+                              .landing_ground = metres(json.at("landing_ground_m")),
                               .spray_speed = metres_per_second(json.at("spray_speed_mps")),
                               .ferry_speed = metres_per_second(json.at("ferry_speed_mps"))};
   for (const Json& p : json.at("points")) {
-    track.points.push_back({point(p), p.at(2).get<int>() != 0});
-    if (p.size() > 3) track.points.back().width = metres(p.at(3));
+    track.points.push_back({.at = point(p),
+                            .is_spraying = p.at(4).get<int>() != 0,
+                            .altitude = metres(p.at(2)),
+                            .ground = metres(p.at(3))});
+    if (p.size() > 5) track.points.back().width = metres(p.at(5));
   }
   return track;
 }

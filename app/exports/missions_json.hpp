@@ -19,7 +19,8 @@ struct Missions {
 /// {"lat_deg": ..., "lon_deg": ...}, or null.
 nlohmann::ordered_json datum_json(const std::optional<exchange::Datum>& datum);
 
-/// missions.json: metres in the field frame, the valve as 0 or 1 at each point.
+/// missions.json: metres in the field frame. A point is east, north, its height and that of the
+/// ground above home, the valve as 0 or 1, and the width of the spray where only a part is open.
 std::string missions_json(const Missions& missions);
 
 /// Reads it back. The error is a sentence.

@@ -62,9 +62,10 @@ std::vector<SortieFigures> planned_sorties(const planner::Route& route,
     f.landed_s = landed_s;
     if (visit) {
       const Station& station = scheduler::landing(uav, k);
-      f.round_trip_m = (route.ferries.length(returned, station.position) +
-                        route.ferries.length(starts_after(s.last), station.position))
-                           .base();
+      const auto ferry_m = [&](FieldPoint at) {
+        return route.ferries.ferry_length(at, station.position, uav.vehicle).base();
+      };
+      f.round_trip_m = ferry_m(returned) + ferry_m(starts_after(s.last));
       f.battery_swap_s = s.battery_swap_s;
       f.fill_s = s.fill_s;
       f.fill = k + 1 < sorties.size() ? sorties[k + 1].spray_m / tank_range(uav.vehicle).base() : 0;

@@ -70,10 +70,10 @@ MissionWays planned_ways(const MissionRecord& record) {
     for (const SortieOrder& sortie : scheduler::orders(record.plan.route, uav)) {
       const Way way = way_at_work(sortie);
       ways.at_work.push_back(way);
-      Way whole = ferries.way(from, way.front());
+      Way whole = ferries.ferry_way(from, way.front(), uav.vehicle);
       whole.insert(whole.end(), way.begin() + 1, way.end());
       from = scheduler::landing(uav, sorties++).position;
-      const Way home = ferries.way(way.back(), from);
+      const Way home = ferries.ferry_way(way.back(), from, uav.vehicle);
       whole.insert(whole.end(), home.begin() + 1, home.end());
       ways.whole.push_back(std::move(whole));
     }

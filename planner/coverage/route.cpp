@@ -98,6 +98,12 @@ std::vector<double> cell_lengths_m(const Route& route) {
   return lengths_m;
 }
 
+bool is_high(std::span<const FieldPoint> way) {
+  Length sum{};
+  for (std::size_t i = 1; i < way.size(); ++i) sum += distance(way[i - 1], way[i]);
+  return sum > longest_low_way;
+}
+
 Length approach_length(const Strip& before, const Strip& strip) {
   FieldPoint at = before.end;
   Length sum{};

@@ -5,6 +5,7 @@
 #include "planner/ferry/ferry_map.hpp"
 
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace furrow::planner {
@@ -41,6 +42,13 @@ inline Strip centre_strip(CellRange cells, FieldPoint from, FieldPoint to, bool 
 /// @param cells  At least one.
 Strip end_strip(CellRange cells, FieldPoint begin, FieldPoint end,
                 std::vector<FieldPoint> approach);
+
+/// Longer ways between strips are flown as ferries are: above those at work, in a layer.
+inline constexpr Length longest_low_way = metres(20);
+
+/// Whether a way between strips is longer than that.
+/// @param way  From where it starts to where it ends.
+bool is_high(std::span<const FieldPoint> way);
 
 /// Whether the strip is sprayed beyond the centres of its end cells.
 inline bool sprays_ends(const Strip& strip) {

@@ -6,6 +6,7 @@
 #include "planner/coverage/swath/inside_paths.hpp"
 #include "planner/ferry/aprons.hpp"
 #include "planner/ferry/bends.hpp"
+#include "planner/ferry/hill_ways.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -45,6 +46,11 @@ class FerryMap::Ground {
 
   bool contains(PointM p) const { return paths_.edges().contains(p); }
   void add_stand(PointM stand) { fans_.push_back(paths_.fan(stand)); }
+  std::vector<PointM> stands() const {
+    std::vector<PointM> made;
+    for (const InsidePaths::Fan& fan : fans_) made.push_back(fan.from);
+    return made;
+  }
 
   PathM way(PointM from, PointM to) const {
     if (paths_.is_convex() || norm(to - from) == 0) return {from, to};
@@ -156,15 +162,33 @@ std::vector<FieldPoint> FerryMap::way(FieldPoint from, FieldPoint to) const {
   return made;
 }
 
-FerryMap FerryMap::over_ground(Relief relief) const {
-  FerryMap map = *this;
+bool FerryMap::is_open(FieldPoint place) const {
+  return !ground_ || ground_->contains(ground_->plane(place));
+}
+
+FerryMap FerryMap::over_ground(Relief relief, const std::optional<RouteSettings>& search) const {
+  FerryMap map{ground_};
   map.relief_ = std::make_shared<const Relief>(std::move(relief));
+  if (search && ground_) {
+    std::vector<FieldPoint> stands;
+    for (const PointM stand : ground_->stands()) stands.push_back(ground_->field_point(stand));
+    map.hill_ways_ =
+        std::make_shared<const HillWays>(FerryMap{ground_}, map.relief_, *search, stands);
+  }
   return map;
 }
 
-AirWay FerryMap::air_way(FieldPoint from, FieldPoint to, Speed speed, Length layer) const {
-  require(relief_ != nullptr, "heights are flown over a relief");
-  return relief_->ferry(way(from, to), speed, layer);
+std::vector<FieldPoint> FerryMap::ferry_way(FieldPoint from, FieldPoint to,
+                                            const Vehicle& vehicle) const {
+  return hill_ways_ ? hill_ways_->way(from, to, vehicle) : way(from, to);
+}
+
+Length FerryMap::ferry_length(FieldPoint from, FieldPoint to, const Vehicle& vehicle) const {
+  if (!hill_ways_) return length(from, to);
+  const std::vector<FieldPoint> way = hill_ways_->way(from, to, vehicle);
+  Length sum{};
+  for (std::size_t i = 1; i < way.size(); ++i) sum += distance(way[i - 1], way[i]);
+  return sum;
 }
 
 Length FerryMap::length(FieldPoint from, FieldPoint to) const {

@@ -3,14 +3,19 @@
 
 #include "core/expected.hpp"
 #include "core/field.hpp"
+#include "core/vehicle.hpp"
 #include "planner/plan_error.hpp"
+#include "planner/routes/plan_route.hpp"
 #include "planner/terrain/relief.hpp"
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace furrow::planner {
+
+class HillWays;
 
 /// What ferry ways keep to.
 struct FerryRule {
@@ -45,6 +50,9 @@ class FerryMap {
   /// stands.
   bool reaches(FieldPoint place) const;
 
+  /// Whether ferries may fly over `place`.
+  bool is_open(FieldPoint place) const;
+
   /// From `from` to `to`, both included. A place off the map is left by the shortest way.
   std::vector<FieldPoint> way(FieldPoint from, FieldPoint to) const;
 
@@ -57,15 +65,21 @@ class FerryMap {
   std::vector<double> lengths_m(FieldPoint from, std::span<const FieldPoint> line) const;
 
   /// The same ways over ground that is not level.
-  FerryMap over_ground(Relief relief) const;
+  /// @param search  How ferries look for ways past hills; none: theirs are the shortest in plan.
+  FerryMap over_ground(Relief relief, const std::optional<RouteSettings>& search = {}) const;
 
   /// The ground, or nothing where it is level.
   const Relief* relief() const { return relief_.get(); }
 
-  /// The way from `from` to `to` with its heights.
-  /// @param layer  See Relief::layer_of.
-  /// @pre There is a relief.
-  AirWay air_way(FieldPoint from, FieldPoint to, Speed speed, Length layer) const;
+  /// As `vehicle` flies from `from` to `to` in plan, both included: the shortest way, or the one
+  /// past hills that it flies between a stand and its work (see HillWays).
+  std::vector<FieldPoint> ferry_way(FieldPoint from, FieldPoint to, const Vehicle& vehicle) const;
+
+  /// Length of that way.
+  Length ferry_length(FieldPoint from, FieldPoint to, const Vehicle& vehicle) const;
+
+  /// Whether ways of ferries may be other than the shortest.
+  bool leads_past_hills() const { return hill_ways_ != nullptr; }
 
  private:
   class Ground;
@@ -73,6 +87,7 @@ class FerryMap {
 
   std::shared_ptr<const Ground> ground_{};
   std::shared_ptr<const Relief> relief_{};
+  std::shared_ptr<const HillWays> hill_ways_{};
 };
 
 }  // namespace furrow::planner

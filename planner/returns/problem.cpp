@@ -1,5 +1,6 @@
 #include "planner/returns/problem.hpp"
 
+#include "planner/returns/stops.hpp"
 #include "planner/survey/turns.hpp"
 
 namespace furrow::planner {
@@ -16,8 +17,11 @@ class HillRoute {
   }
   void approach(const Strip& strip) {
     if (!strip.approach_altitudes_m.empty()) return add(strip.begin, air_approach(strip));
-    for (const FieldPoint at : strip.approach) fly(at, vehicle_.ferry_speed);
-    fly(strip.begin, vehicle_.ferry_speed);
+    std::vector<FieldPoint> way{at_};
+    way.insert(way.end(), strip.approach.begin(), strip.approach.end());
+    way.push_back(strip.begin);
+    if (is_high(way)) return add(strip.begin, relief_.ferry(way, vehicle_));
+    for (const FieldPoint to : way) fly(to, vehicle_.ferry_speed);
   }
   double time_s() const { return time_s_; }
   double climb_s() const { return climb_s_; }
@@ -64,25 +68,36 @@ void follow_route(ReturnProblem& problem, const Route& route, const std::vector<
   }
 }
 
+// Of a ferry over hills, with what turning takes of the pack.
+FlightCost ferry_cost(const FerryMap& ferries, FieldPoint from, FieldPoint to, const Vehicle& v) {
+  const std::vector<FieldPoint> way = ferries.ferry_way(from, to, v);
+  FlightCost cost = ferries.relief()->cost(from, ferries.relief()->ferry(way, v));
+  for (std::size_t i = 1; i + 1 < way.size(); ++i) {
+    cost.energy_s += turn_loss_s(way[i - 1], way[i], way[i + 1], Corner::cut, v);
+  }
+  return cost;
+}
+
 // Takes the heights of the ground into a problem on level land.
 void add_hills(ReturnProblem& problem, const Route& route, const std::vector<CellStop>& stops,
                FieldPoint begin) {
-  const Relief& relief = *route.ferries.relief();
   const Vehicle& v = problem.vehicle;
-  const Length layer = relief.layer_of(v.id);
-  const auto ferry = [&](FieldPoint from, FieldPoint to) {
-    return relief.cost(from, route.ferries.air_way(from, to, v.ferry_speed, layer));
-  };
   const std::vector<double> level_resume_s = problem.resume_s;
   problem.hills.emplace();
   follow_route(problem, route, stops, begin);
   HillFlights& hills = *problem.hills;
+  const auto fly = [&](FieldPoint from, FieldPoint to, double& level_m) {
+    if (route.ferries.leads_past_hills()) {
+      level_m = route.ferries.ferry_length(from, to, v).base();
+    }
+    return ferry_cost(route.ferries, from, to, v);
+  };
   const FieldPoint station = problem.station.position;
-  for (const CellStop& at : stops) {
-    hills.back.push_back(ferry(at.stop, station));
-    hills.out.push_back(ferry(station, at.resume));
+  for (std::size_t k = 0; k < stops.size(); ++k) {
+    hills.back.push_back(fly(stops[k].stop, station, problem.back_m[k]));
+    hills.out.push_back(fly(station, stops[k].resume, problem.out_m[k]));
   }
-  hills.out[0] = ferry(v.home, begin);
+  hills.out[0] = fly(v.home, begin, problem.fly_out_m);
   for (std::size_t k = 0; k < stops.size(); ++k) {
     hills.resume_late_s[k] = problem.resume_s[k] - level_resume_s[k];
   }
@@ -103,8 +118,7 @@ HillFlights level_flights(const ReturnProblem& problem) {
   return level;
 }
 
-// What turning at and between visits, and flying from rest to rest, takes of packs. Strips are so
-// long that it is lost in them; ways between visits are not.
+// What turning at and between visits, and flying from rest to rest, takes of packs.
 void add_turns(ReturnProblem& problem, const Route& route, const std::vector<CellStop>& stops) {
   if (!problem.hills) problem.hills = level_flights(problem);
   HillFlights& hills = *problem.hills;
@@ -133,6 +147,28 @@ void add_turns(ReturnProblem& problem, const Route& route, const std::vector<Cel
     hills.out[k].energy_s += rest_s;
   }
   hills.resume_climb_s.back() = hills.climb_s.back();
+  hills.resume_climb_s[0] = 0.0;
+}
+
+// The same over hills, where banks are crossed between short strips and energy is planned closely.
+void add_stops(ReturnProblem& problem, const Route& route, const std::vector<CellStop>& stops) {
+  HillFlights& hills = *problem.hills;
+  const Vehicle& v = problem.vehicle;
+  std::size_t s = strip_of(route, problem.cells.first);
+  double lost_s = 0;
+  for (std::size_t k = 0; k < stops.size(); ++k) {
+    if (problem.cells.first + k == end(route.strips[s].cells)) {
+      const double joint_s = joint_loss_s(route.strips[s], route.strips[s + 1], v);
+      lost_s += joint_s;
+      ++s;
+      const bool resumes_behind = !(stops[k - 1].resume == stops[k - 1].stop);
+      if (resumes_behind) hills.resume_climb_s[k - 1] += joint_s;
+    }
+    hills.climb_s[k] += lost_s;
+    hills.resume_climb_s[k] += lost_s;
+    hills.back[k].energy_s += ferry_loss_s(route.strips[s], v);
+    hills.out[k].energy_s += ferry_loss_s(route.strips[s], v);
+  }
   hills.resume_climb_s[0] = 0.0;
 }
 
@@ -199,7 +235,11 @@ ReturnProblem return_problem(const Route& route, CellRange cells, const Vehicle&
   problem.out_m.back() = problem.back_m.back();
   problem.resume_m[0] = problem.resume_s[0] = 0.0;
   problem.out_m[0] = problem.fly_out_m;
-  if (is_survey(route)) add_turns(problem, route, stops);
+  if (is_survey(route)) {
+    add_turns(problem, route, stops);
+  } else if (problem.hills) {
+    add_stops(problem, route, stops);
+  }
   return problem;
 }
 

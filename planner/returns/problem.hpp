@@ -14,8 +14,8 @@
 
 namespace furrow::planner {
 
-/// What ground that is not level makes of the flights of a return problem. Entries as there. On a
-/// survey what corners and starts take of a pack counts as climb, over level land too.
+/// What ground that is not level makes of the flights of a return problem. Entries as there. What
+/// corners, stops and starts take of a pack counts as climb; on a survey over level land too.
 struct HillFlights {
   std::vector<FlightCost> back, out;            ///< Ferries; out[0] is the way to the beginning.
   std::vector<double> late_s, resume_late_s;    ///< On the route so far, beyond level flight.

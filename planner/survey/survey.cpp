@@ -2,6 +2,7 @@
 
 #include "core/random.hpp"
 #include "core/require.hpp"
+#include "planner/routes/drawn.hpp"
 #include "planner/routes/route_cost.hpp"
 #include "planner/survey/tour.hpp"
 
@@ -16,39 +17,6 @@ constexpr double drawn_m = 0.25;   // how far these may be off the curve
 constexpr double headroom_m = 60;  // over the highest ferry where there is no ceiling
 
 FieldPoint place(WayPoint p) { return at_m(p.x_m, p.y_m); }
-
-// Off the straight line from `a` to `b`.
-double distance_m(WayPoint p, WayPoint a, WayPoint b) {
-  const double x = b.x_m - a.x_m, y = b.y_m - a.y_m, z = b.z_m - a.z_m;
-  const double along = (p.x_m - a.x_m) * x + (p.y_m - a.y_m) * y + (p.z_m - a.z_m) * z;
-  const double squares = x * x + y * y + z * z;
-  const double t = squares > 0 ? std::clamp(along / squares, 0.0, 1.0) : 0.0;
-  return planner::distance_m(p, between(a, b, t));
-}
-
-// The points of `line` between its ends that keep it within `drawn_m`; at least one.
-// Source: Ramer 1972, Computer Graphics and Image Processing 1(3), 244-256.
-void keep(std::span<const WayPoint> line, std::vector<WayPoint>& kept) {
-  std::size_t furthest = 0;
-  double most_m = drawn_m;
-  for (std::size_t i = 1; i + 1 < line.size(); ++i) {
-    const double off_m = distance_m(line[i], line.front(), line.back());
-    if (off_m <= most_m) continue;
-    most_m = off_m;
-    furthest = i;
-  }
-  if (furthest == 0) return;
-  keep(line.first(furthest + 1), kept);
-  kept.push_back(line[furthest]);
-  keep(line.subspan(furthest), kept);
-}
-
-std::vector<WayPoint> drawn(std::span<const WayPoint> line) {
-  std::vector<WayPoint> kept;
-  keep(line, kept);
-  if (kept.empty()) kept.push_back(line[line.size() / 2]);
-  return kept;
-}
 
 // From one way point to the next, its ends left out.
 struct Leg {
@@ -116,7 +84,9 @@ class Legs {
     settings.seed = seed_for(settings.seed, {number});
     const auto route = plan_route(air, settings);
     if (!route) return {};
-    const std::vector<WayPoint> line = drawn(flown(air, route->genes));
+    const std::vector<WayPoint> curve = flown(air, route->genes);
+    std::vector<WayPoint> line = drawn(curve, drawn_m);
+    if (line.empty()) line.push_back(curve[curve.size() / 2]);
     Leg leg;
     FieldPoint at = from;
     for (const WayPoint p : line) {

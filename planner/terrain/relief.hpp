@@ -3,6 +3,7 @@
 
 #include "core/vehicle.hpp"
 #include "planner/routes/flight_cost.hpp"
+#include "planner/routes/plan_route.hpp"
 #include "planner/routes/scene.hpp"
 #include "planner/terrain/terrain.hpp"
 
@@ -30,6 +31,8 @@ struct TerrainModel {
   Terrain ground;
   HeightRule rule{};
   std::vector<KeepOut> keep_out{};  ///< No ferry enters them.
+  /// How ferries look for ways past hills; none: theirs are the shortest in plan.
+  std::optional<RouteSettings> ferries{};
 };
 
 /// A piece of a way with its height: straight from where the piece before ended.
@@ -82,6 +85,11 @@ class Relief {
   /// begun to come down, without climbing or descending faster than the rule says at `speed`.
   /// @param way  In plan, from where it starts to where it ends, two or more.
   AirWay ferry(std::span<const FieldPoint> way, Speed speed, Length layer) const;
+
+  /// That of `vehicle` in its layer.
+  AirWay ferry(std::span<const FieldPoint> way, const Vehicle& vehicle) const {
+    return ferry(way, vehicle.ferry_speed, layer_of(vehicle.id));
+  }
 
   /// The highest that any ferry flies.
   double highest_ferry_m() const;

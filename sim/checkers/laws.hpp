@@ -16,9 +16,12 @@
 // Clear    L22 flown tracks keep nine tenths of the safety distance from obstacles that are flown
 //              around, by the plan or once they appear, less the bias of the aircraft's fixes
 //          L23 over terrain, flown tracks are never more than 1 m below work height; and on ways
-//              from and to stations never more than 1 m below the clearance, but near their ends,
-//              where they climb out and come down; on a survey never more than 1 m below the
-//              clearance, or the survey's height where that is less
+//              from and to stations never more than 1 m below the clearance and the aircraft's
+//              layer above it, but near their ends, where they climb out and come down, nor above
+//              the ceiling; on a survey never more than 1 m below the clearance, or the survey's
+//              height where that is less
+//          L25 over terrain, no flown track enters a keep-out volume by more than the bias of the
+//              aircraft's fixes
 // Apart    L24 two aircraft in the air are never nearer to each other than the separation
 // Senders  L21 nobody unknown is spoken of: the other laws go on without what such messages say
 // Log      L17 every sender's log is complete and in order, so equal runs have equal digests

@@ -27,11 +27,11 @@ SortieTrack track() {
           .sortie = 3,
           .home = at_m(-10, -10),
           .landing = at_m(-20, 5),
-          .points = {{at_m(0, 0), true},
-                     {at_m(100, 0), false},
-                     {at_m(100, 2), true},
-                     {at_m(0, 2), false}},
-          .altitude = metres(3.5),
+          .points = {{at_m(0, 0), true, {}, metres(3.5)},
+                     {at_m(100, 0), false, {}, metres(3.5)},
+                     {at_m(100, 2), true, {}, metres(3.5)},
+                     {at_m(0, 2), false, {}, metres(3.5)}},
+          .take_off = metres(3.5),
           .spray_speed = metres_per_second(3),
           .ferry_speed = metres_per_second(6)};
 }

@@ -131,8 +131,8 @@ class Panels {
     std::size_t sortie = 0;
     for (const std::uint32_t cell : plan.solution.plan.returns) {
       const FieldPoint station = scheduler::landing(plan, sortie++).position;
-      ways.push_back(
-          pixels(view_, route_.ferries.way(stop_after(plan.cells.first + cell), station)));
+      const FieldPoint stop = stop_after(plan.cells.first + cell);
+      ways.push_back(pixels(view_, route_.ferries.ferry_way(stop, station, plan.vehicle)));
     }
     svg.path(ways, false, {.stroke = "#8b8b80", .width = 0.6, .opacity = 0.7, .dash = "3 3"});
   }
