@@ -3,6 +3,8 @@
 #include "core/geometry.hpp"
 #include "core/ids.hpp"
 
+#include <optional>
+
 namespace furrow {
 
 /// How far a position fix may be from the truth.
@@ -25,6 +27,8 @@ struct Vehicle {
   Length min_turn_radius;  ///< 0 for an aircraft that can turn on the spot.
   Acceleration acceleration_limit;
   Gnss gnss;
+  Seconds available_from{};  ///< Mission time of its first take-off at the earliest.
+  std::optional<Seconds> available_until{};  ///< It is down for good by then; none: no end.
 };
 
 /// The furthest spraying distance of one tank, D_max.
@@ -39,6 +43,14 @@ constexpr ApplicationRate application_rate(const Vehicle& v) {
 /// Acceleration that flights are planned with; the rest of the limit is left to corrections.
 constexpr Acceleration planned_acceleration(const Vehicle& v) {
   return 0.95 * v.acceleration_limit;
+}
+
+/// When plans have it down for good at the latest; none: no end. What they keep of its window,
+/// flights may take longer than planned.
+constexpr std::optional<Seconds> planned_until(const Vehicle& v) {
+  constexpr double kept = 0.04;
+  if (!v.available_until) return std::nullopt;
+  return *v.available_until - kept * (*v.available_until - v.available_from);
 }
 
 /// Flying time a plan may use from one full pack.

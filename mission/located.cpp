@@ -18,11 +18,13 @@ std::string rule_of(PlanFault fault) {
     case PlanFault::nothing_to_spray: return "must leave something to spray";
     case PlanFault::start_not_workable: return "must lie in a workable cell";
     case PlanFault::direction_unsupported: return "must be one of 0, 90, 180, 270 on a grid";
-    case PlanFault::out_of_reach: return "must reach all of the field, there and back on one pack";
+    case PlanFault::out_of_reach:
+      return "must reach the field: each place from some station, there and back on one pack";
     case PlanFault::tank_too_small: return "must let a tank last for one cell";
     case PlanFault::swaths_differ: return "must be one for all";
     case PlanFault::margin_too_wide: return "must leave land to fly over";
     case PlanFault::too_many_rows: return "must cut the field into fewer rows";
+    case PlanFault::window_too_short: return "must leave the fleet time for all of the field";
   }
   return "must allow a plan";
 }
@@ -37,6 +39,13 @@ std::string stand_key(const PlanError& error, const Scenario& s) {
     if (is_there(s.uavs[i].home)) return s.source.uavs[i] + ".start_m";
   }
   return "supply";
+}
+
+// Of the first aircraft whose window ends.
+std::string window_key(const Scenario& s) {
+  std::size_t u = 0;
+  while (u + 1 < s.uavs.size() && !s.uavs[u].available_until) ++u;
+  return s.source.uavs[u] + ".available_until_s";
 }
 
 std::string land_key(const Scenario& s) {
@@ -54,6 +63,7 @@ std::string key_of(const PlanError& error, const Scenario& s) {
                                           ? ".rate_l_ha"
                                           : ".spray_endurance_s");
     case PlanFault::margin_too_wide: return "field.coverage.margin_m";
+    case PlanFault::window_too_short: return window_key(s);
     case PlanFault::nothing_to_spray:
     case PlanFault::swaths_differ:
     case PlanFault::too_many_rows: return s.source.uavs.front() + ".swath_m";

@@ -275,6 +275,17 @@ Gnss read_gnss(const Section& s) {
           .bias = metres(s.number("bias_m", from_to(0, 100), 0))};
 }
 
+void read_window(const Section& s, Vehicle& v) {
+  constexpr double longest_s = 10'000'000;
+  v.available_from = seconds(s.number("available_from_s", from_to(0, longest_s), 0));
+  const auto until = s.optional_number("available_until_s", above_to(0, longest_s), "no end");
+  if (!until) return;
+  v.available_until = seconds(*until);
+  if (v.available_from < *v.available_until) return;
+  s.fail("available_until_s",
+         fmt::format("must be later than available_from_s, {:.10g}", v.available_from.base()));
+}
+
 // The id is set by the caller.
 Vehicle read_vehicle(const Section& s) {
   Vehicle v{
@@ -291,6 +302,7 @@ Vehicle read_vehicle(const Section& s) {
       .acceleration_limit = metres_per_second2(s.number("acceleration_mps2", from_to(0.1, 100), 3)),
       .gnss = read_gnss(s.section("gnss"))};
   v.spray_endurance = read_spray_endurance(s, v, s.has("tank_l"));
+  read_window(s, v);
   return v;
 }
 

@@ -18,6 +18,7 @@ enum class PlanFault {
   swaths_differ,          ///< Aircraft that share one route spray one width.
   margin_too_wide,        ///< Use a smaller margin: the field vanishes under it.
   too_many_rows,          ///< Use a wider swath, or a smaller field.
+  window_too_short,       ///< Let an aircraft fly for longer, or take more of them.
 };
 
 struct PlanError {

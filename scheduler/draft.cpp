@@ -28,11 +28,22 @@ Itinerary rough_itinerary(const Desk& desk, std::size_t uav, const Share& share)
   for (std::uint32_t s = 0; s < share.strips.count; ++s) growing.grow();
   const std::uint32_t first = desk.route.strips[share.strips.first].cells.first;
   const std::uint32_t stop = end(desk.route.strips[end(share.strips) - 1].cells);
+  const CellRange cells{first, stop - first};
   const auto problem =
-      planner::return_problem(desk.route, {first, stop - first}, vehicle,
-                              desk.stations[share.station], desk.lengths.stations[share.station]);
-  return itinerary(vehicle.id, share.station, planner::evaluated(problem, growing.returns()),
-                   FlightTimes{desk.route, problem});
+      planner::return_problem(desk.route, cells, vehicle, desk.stations[share.station],
+                              part(desk.lengths.stations[share.station], cells));
+  Itinerary it =
+      itinerary(vehicle.id, share.station, planner::evaluated(problem, growing.returns()),
+                FlightTimes{desk.route, problem});
+  it.begins_s = vehicle.available_from.base();
+  return it;
+}
+
+std::vector<double> ready_s(std::span<const Vehicle> vehicles) {
+  std::vector<double> all_s;
+  all_s.reserve(vehicles.size());
+  for (const Vehicle& v : vehicles) all_s.push_back(v.available_from.base());
+  return all_s;
 }
 
 /// Changes stations, aircraft by aircraft, where the forecast gains by it.
@@ -76,16 +87,19 @@ Draft draft(const planner::Route& route, const RouteLengths& lengths,
       by_station.push_back(pace(flights, v, stations[s], lengths.home_m[s]));
     }
   }
-  PartitionProblem problem{route, lengths, desk.paces, std::vector(vehicles.size(), 1.0)};
+  PartitionProblem problem{route, lengths, desk.paces, std::vector(vehicles.size(), 1.0),
+                           ready_s(vehicles)};
   Draft best;
   for (int round = 0; round < rounds; ++round) {
     const std::vector<Share> shares = partition(problem);
     Draft drafted = with_best_stations(desk, shares);
     for (std::size_t u = 0; u < shares.size(); ++u) {
-      if (shares[u].finish_s <= 0.0) continue;  // nothing to spray, or one cell at home
+      if (shares[u].finish_s <= problem.ready_s[u])
+        continue;  // nothing to spray, or one cell at home
       // Half way, since waits move with the cut that they are measured at.
-      const double seen =
-          problem.stretch[u] * drafted.forecast.spray_ends_s[u] / shares[u].finish_s;
+      const double since_s = problem.ready_s[u];
+      const double seen = problem.stretch[u] * (drafted.forecast.spray_ends_s[u] - since_s) /
+                          (shares[u].finish_s - since_s);
       problem.stretch[u] = 0.5 * (problem.stretch[u] + seen);
     }
     if (round == 0 || worth(drafted.forecast) < worth(best.forecast)) best = std::move(drafted);
@@ -105,9 +119,11 @@ std::vector<Share> recut(const planner::Route& route, const RouteLengths& length
     GrowingShare growing{route, lengths, paces[u][0], shares[u].strips.first};
     double predicted_s = 0.0;
     for (std::uint32_t n = 0; n < shares[u].strips.count; ++n) predicted_s = growing.grow();
-    stretch.push_back(predicted_s > 0.0 ? finishes_s[u] / predicted_s : 1.0);
+    const double since_s = vehicles[u].available_from.base();
+    stretch.push_back(predicted_s > 0.0 ? (finishes_s[u] - since_s) / predicted_s : 1.0);
   }
-  std::vector<Share> cut = partition({route, lengths, paces, std::move(stretch)});
+  std::vector<Share> cut =
+      partition({route, lengths, paces, std::move(stretch), ready_s(vehicles)});
   for (std::size_t u = 0; u < cut.size(); ++u) cut[u].station = shares[u].station;
   return cut;
 }

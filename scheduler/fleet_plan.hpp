@@ -42,10 +42,12 @@ inline const Station& landing(const UavPlan& uav, std::size_t sortie) {
 
 /// Makespans of other plans of the same route, for comparison [s].
 struct Yardsticks {
-  double shares_s;  ///< Of contiguous shares of whole strips, the return points of each chosen.
-  std::optional<double> till_empty_s, simple_s;  ///< None where tank or pack do not carry it.
-  std::uint64_t evaluations;                     ///< Plans that the joint search has flown.
-  bool is_joint;                                 ///< The plan is the joint search's.
+  /// Of contiguous shares of whole strips, the return points of each chosen. None of the three
+  /// where tank, pack or window do not carry it.
+  std::optional<double> shares_s;
+  std::optional<double> till_empty_s, simple_s;
+  std::uint64_t evaluations;  ///< Plans that the joint search has flown.
+  bool is_joint;              ///< The plan is the joint search's.
 };
 
 /// Who flies what and when.

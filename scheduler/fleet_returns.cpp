@@ -1,6 +1,7 @@
 #include "scheduler/fleet_returns.hpp"
 
 #include "core/random.hpp"
+#include "planner/at_once.hpp"
 #include "planner/returns/simple.hpp"
 #include "planner/returns/unplanned.hpp"
 
@@ -15,10 +16,13 @@ using planner::ReturnProblem;
 using planner::Solution;
 
 constexpr std::uint32_t rounds = 2;
+constexpr std::size_t abreast = 16;  // threads at once
 
 Itinerary itinerary_of(const FleetTask& task, const ReturnPlan& plan) {
   if (!task.times) return grounded(task.agent);
-  return itinerary(task.agent, task.station, plan, *task.times);
+  Itinerary it = itinerary(task.agent, task.station, plan, *task.times);
+  it.begins_s = task.begins_s;
+  return it;
 }
 
 /// The search for a fleet's return points: what is flown now, and the best seen so far.
@@ -32,14 +36,20 @@ class Search {
 
   /// Every aircraft as if it were alone.
   std::optional<PlanError> solve_alone() {
-    for (const FleetTask& task : tasks_) {
-      Solution& solution = current_.emplace_back();
-      if (!task.problem) continue;
-      auto solved = planner::solve(*task.problem, settings_for(task.agent, 0));
-      if (!solved) return solved.error();
-      solution = std::move(*solved);
+    const auto solve_one = [this](std::size_t u) -> Expected<Solution, PlanError> {
+      if (!tasks_[u].problem) return Solution{};
+      return planner::solve(*tasks_[u].problem, settings_for(tasks_[u].agent, 0));
+    };
+    for (std::size_t u = 0; u < tasks_.size(); u += abreast) {
+      const std::size_t count = std::min(abreast, tasks_.size() - u);
+      for (auto& solved :
+           planner::at_once(count, [&](std::size_t i) { return solve_one(u + i); })) {
+        if (!solved) return solved.error();
+        current_.push_back(std::move(*solved));
+      }
     }
-    best_ = {current_, forecast_of(current_)};
+    flown_ = itineraries(current_);
+    best_ = {current_, forecast(flown_, stations_)};
     return std::nullopt;
   }
 
@@ -55,7 +65,7 @@ class Search {
       solutions[u].objective_s = plan->non_spray_s;
       solutions[u].proven = plan->non_spray_s <= solutions[u].lower_bound_s;
     }
-    consider(solutions);
+    consider(solutions, itineraries(solutions));
   }
 
   /// Lets every aircraft in turn answer what the others do.
@@ -86,12 +96,8 @@ class Search {
     return all;
   }
 
-  Forecast forecast_of(const std::vector<Solution>& solutions) const {
-    return forecast(itineraries(solutions), stations_);
-  }
-
-  void consider(const std::vector<Solution>& solutions) {
-    Forecast seen = forecast_of(solutions);
+  void consider(const std::vector<Solution>& solutions, const std::vector<Itinerary>& flown) {
+    Forecast seen = forecast(flown, stations_);
     if (worth(seen) < worth(best_.forecast)) best_ = {solutions, std::move(seen)};
   }
 
@@ -99,11 +105,10 @@ class Search {
     const std::uint32_t station = tasks_[u].station;
     std::vector<Itinerary> here;
     std::size_t index = 0;
-    std::vector<Itinerary> all = itineraries(current_);
-    for (std::size_t other = 0; other < all.size(); ++other) {
+    for (std::size_t other = 0; other < flown_.size(); ++other) {
       if (tasks_[other].station != station) continue;
       if (other == u) index = here.size();
-      here.push_back(std::move(all[other]));
+      here.push_back(flown_[other]);
     }
     QueueClock clock{stations_[station].bays, std::move(here)};
     const double without_s = clock.queue_wait_without_s(index);
@@ -115,7 +120,8 @@ class Search {
         planner::solve(*tasks_[u].problem, settings_for(tasks_[u].agent, round), added_wait_s);
     if (!answer || answer->objective_s >= now_s) return;
     current_[u] = std::move(*answer);
-    consider(current_);
+    flown_[u] = itinerary_of(tasks_[u], current_[u].plan);
+    consider(current_, flown_);
   }
 
   const std::vector<FleetTask>& tasks_;
@@ -123,6 +129,7 @@ class Search {
   planner::SolveSettings settings_;
   std::size_t flying_ = 0;
   std::vector<Solution> current_{};
+  std::vector<Itinerary> flown_{};  ///< Of the current solutions.
   FleetReturns best_{};
 };
 

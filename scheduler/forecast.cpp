@@ -92,6 +92,18 @@ Itinerary itinerary(AgentId agent, std::span<const std::uint32_t> landings,
   return it;
 }
 
+bool is_in_time(const Vehicle& vehicle, double lands_s) {
+  const auto until = planned_until(vehicle);
+  return !until || lands_s <= until->base();
+}
+
+bool is_in_time(std::span<const Vehicle> fleet, const Forecast& forecast) {
+  for (std::size_t u = 0; u < fleet.size(); ++u) {
+    if (!is_in_time(fleet[u], forecast.lands_s[u])) return false;
+  }
+  return true;
+}
+
 std::tuple<double, double> worth(const Forecast& f) {
   return {f.makespan_s, std::accumulate(f.spray_ends_s.begin(), f.spray_ends_s.end(), 0.0)};
 }

@@ -44,6 +44,13 @@ struct Forecast {
   double queue_wait_s = 0.0;                  ///< Sum over all visits.
 };
 
+/// Whether an aircraft that lands then is down when plans must have it down.
+bool is_in_time(const Vehicle& vehicle, double lands_s);
+
+/// Whether all are.
+/// @param fleet  In the order of the forecast's itineraries.
+bool is_in_time(std::span<const Vehicle> fleet, const Forecast& forecast);
+
 /// What missions are compared by: the makespan, then the sum of all finishes.
 std::tuple<double, double> worth(const Forecast& forecast);
 

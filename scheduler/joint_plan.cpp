@@ -2,6 +2,7 @@
 
 #include "core/random.hpp"
 #include "core/require.hpp"
+#include "planner/at_once.hpp"
 #include "planner/fleet/gsa_sorties.hpp"
 #include "planner/fleet/solve.hpp"
 #include "planner/fleet/till_empty.hpp"
@@ -66,19 +67,22 @@ FlownRoute flown_route(const planner::Route& whole, const SortieLists& lists) {
   return flown;
 }
 
-/// The ways to a station in the order flown: those of the whole route, but where strips follow
-/// others now.
-planner::StationLengths reordered(const FlownRoute& flown, const planner::StationLengths& whole,
-                                  FieldPoint station) {
-  const planner::Route& route = flown.order.route;
+/// The ways of a share to a station in the order flown: those of the whole route, but where strips
+/// follow others now.
+planner::StationLengths reordered(const Remnant& order, const Share& share,
+                                  const planner::StationLengths& whole, FieldPoint station) {
+  const planner::Route& route = order.route;
+  const std::uint32_t first = share.cells.first;
   planner::StationLengths lengths;
-  lengths.back_m.reserve(flown.order.cells.size());
-  for (const std::uint32_t cell : flown.order.cells) lengths.back_m.push_back(whole.back_m[cell]);
+  lengths.back_m.reserve(share.cells.count);
+  for (std::uint32_t i = first; i < end(share.cells); ++i) {
+    lengths.back_m.push_back(whole.back_m[order.cells[i]]);
+  }
   lengths.out_m = lengths.back_m;
-  for (std::size_t s = 0; s + 1 < route.strips.size(); ++s) {
-    const planner::Strip& next = route.strips[s + 1];
+  for (std::uint32_t s = share.strips.first + 1; s < end(share.strips); ++s) {
+    const planner::Strip& next = route.strips[s];
     if (next.continues) continue;
-    lengths.out_m[next.cells.first - 1] = route.ferries.length(next.begin, station).base();
+    lengths.out_m[next.cells.first - 1 - first] = route.ferries.length(next.begin, station).base();
   }
   return lengths;
 }
@@ -96,22 +100,11 @@ class Desk {
   const Itinerary& itinerary() const { return itinerary_; }
 
  private:
-  const planner::StationLengths& lengths(std::uint32_t station);
-
   const FlownRoute& flown_;
   const RouteLengths& lengths_;
   std::span<const Station> stations_;
-  std::map<std::uint32_t, planner::StationLengths> known_{};
   Itinerary itinerary_{};
 };
-
-const planner::StationLengths& Desk::lengths(std::uint32_t station) {
-  const auto [known, is_new] = known_.try_emplace(station);
-  if (is_new) {
-    known->second = reordered(flown_, lengths_.stations[station], stations_[station].position);
-  }
-  return known->second;
-}
 
 UavPlan grounded_plan(const Vehicle& vehicle, const Station& station, const Share& share) {
   return {.vehicle = vehicle,
@@ -141,9 +134,11 @@ std::optional<UavPlan> Desk::plan(const Vehicle& vehicle, const std::vector<Cell
   std::vector<std::uint32_t> landings;
   for (const CellSortie& s : list) {
     if (!problems.contains(s.station)) {
-      problems.emplace(s.station,
-                       planner::return_problem(flown_.order.route, share.cells, vehicle,
-                                               stations_[s.station], lengths(s.station)));
+      const Station& station = stations_[s.station];
+      problems.emplace(s.station, planner::return_problem(
+                                      flown_.order.route, share.cells, vehicle, station,
+                                      reordered(flown_.order, share, lengths_.stations[s.station],
+                                                station.position)));
     }
     by_station[s.station] = &problems.at(s.station);
     ends.push_back(by_station[s.station]);
@@ -184,7 +179,8 @@ std::uint32_t stop_of(const planner::Route& route, const fleet::FleetProblem& mo
   return stop;
 }
 
-constexpr std::uint32_t runs = 3;
+constexpr std::size_t runs = 3;
+constexpr int attempts = 2;
 
 /// Sorties that a search may fly.
 std::uint64_t budget_of(const planner::SolveSettings& settings) {
@@ -205,17 +201,13 @@ std::optional<fleet::FleetSorties> by_gravity(const fleet::FleetProblem& model,
       model, {.masses = settings.masses, .iterations = iterations, .seed = settings.seed});
 }
 
-std::optional<fleet::FleetSorties> annealed(const fleet::FleetProblem& model,
-                                            const planner::SolveSettings& settings,
-                                            const fleet::FleetSorties& start, std::uint32_t run,
-                                            std::uint64_t& evaluations) {
-  auto found = fleet::solved(model, {.budget = budget_of(settings) / runs,
-                                     .seed = seed_for(settings.seed, {run}),
-                                     .runs = 1,
-                                     .starts = {start}});
-  if (!found) return std::nullopt;
-  evaluations += found->evaluations;
-  return std::move(found->sorties);
+std::optional<fleet::FleetSolution> annealed(const fleet::FleetProblem& model,
+                                             const planner::SolveSettings& settings,
+                                             const fleet::FleetSorties& start, std::size_t run) {
+  fleet::FleetSolveSettings search{
+      .budget = budget_of(settings) / runs, .seed = seed_for(settings.seed, {run}), .runs = 1};
+  if (!start.empty()) search.starts.push_back(start);
+  return fleet::solved(model, search);
 }
 
 /// A line through the losses of flights, by the ways between strips that each has.
@@ -258,18 +250,20 @@ class Judge {
         stations_{stations},
         ready_s_{ready_s} {}
 
-  /// @return  The makespan, if tanks and packs carry the sorties.
+  /// @return  The makespan, if tanks and packs carry the sorties and all are down in time.
   std::optional<double> consider(const fleet::FleetProblem& model,
                                  const std::optional<fleet::FleetSorties>& sorties) {
     if (!sorties) return std::nullopt;
     auto flown = flown_lists(route_, lengths_, vehicles_, stations_,
                              cell_sorties(route_, model, *sorties), ready_s_);
-    if (!flown) return std::nullopt;
+    if (!flown || !is_in_time(vehicles_, flown->forecast)) return std::nullopt;
     const double makespan_s = flown->forecast.makespan_s;
     keep(std::move(*flown));
     return makespan_s;
   }
+  /// Where all are down in time.
   void keep(FlownLists flown) {
+    if (!is_in_time(vehicles_, flown.forecast)) return;
     if (!best_ || worth(flown.forecast) < worth(best_->forecast)) best_ = std::move(flown);
   }
   /// @return  Whether tanks and packs carry anything of what a search finds.
@@ -279,9 +273,11 @@ class Judge {
       return consider(model, by_gravity(model, settings, evaluations_)).has_value();
     }
     bool is_carried = false;
-    for (std::uint32_t run = 0; run < runs; ++run) {
-      const auto found = annealed(model, settings, start, run, evaluations_);
-      is_carried |= consider(model, found).has_value();
+    const auto anneal = [&](std::size_t run) { return annealed(model, settings, start, run); };
+    for (const auto& found : planner::at_once(runs, anneal)) {
+      if (!found) continue;
+      evaluations_ += found->evaluations;
+      is_carried |= consider(model, found->sorties).has_value();
     }
     return is_carried;
   }
@@ -368,7 +364,8 @@ std::optional<FlownLists> flown_lists(const planner::Route& whole, const RouteLe
     if (!uav) return std::nullopt;
     result.uavs.push_back(std::move(*uav));
     result.itineraries.push_back(desk.itinerary());
-    if (!ready_s.empty()) result.itineraries.back().begins_s = ready_s[u];
+    result.itineraries.back().begins_s =
+        ready_s.empty() ? vehicles[u].available_from.base() : ready_s[u];
   }
   result.forecast = forecast(result.itineraries, stations);
   for (std::size_t u = 0; u < vehicles.size(); ++u) {
@@ -388,11 +385,15 @@ std::optional<JointPlan> joint_plan(const planner::Route& route, const RouteLeng
   JointPlan plan{.flown = {}, .evaluations = 0, .till_empty_s = {}, .simple_s = {}};
   Judge judge{route, lengths, vehicles, stations, ready_s};
   ModelMargins margins;
-  if (auto begun = flown_lists(route, lengths, vehicles, stations, start, ready_s)) {
-    margins = losses(*begun);
-    judge.keep(std::move(*begun));
+  const bool is_begun =
+      std::any_of(start.begin(), start.end(), [](const auto& list) { return !list.empty(); });
+  if (is_begun) {
+    if (auto begun = flown_lists(route, lengths, vehicles, stations, start, ready_s)) {
+      margins = losses(*begun);
+      judge.keep(std::move(*begun));
+    }
   }
-  for (int attempt = 0; attempt < 2; ++attempt) {
+  for (int attempt = 0; attempt < attempts; ++attempt) {
     auto model = search_model(route, vehicles, stations, margins);
     if (!model) break;
     for (std::size_t u = 0; u < ready_s.size(); ++u) model->fliers[u].ready_s = ready_s[u];
@@ -401,6 +402,7 @@ std::optional<JointPlan> joint_plan(const planner::Route& route, const RouteLeng
     if (judge.consider_searched(*model, settings, model_sorties(route, *model, start))) break;
     margins.pack_share *= 0.9;
     margins.spare_cells += 2.0;
+    margins.early_s += 20.0;
   }
   plan.evaluations = judge.evaluations();
   if (!judge.best()) return std::nullopt;

@@ -50,7 +50,8 @@ struct FlownLists {
 ///
 /// @param whole    Of which the lists have every cell once.
 /// @param lengths  Of `whole`.
-/// @param ready_s  By aircraft: mission time of its first take-off; all at 0 when left out.
+/// @param ready_s  By aircraft: mission time of its first take-off; as soon as it is available when
+/// left out.
 /// @return  Nothing where a tank or a pack does not carry some sortie.
 std::optional<FlownLists> flown_lists(const planner::Route& whole, const RouteLengths& lengths,
                                       std::span<const Vehicle> vehicles,
@@ -73,7 +74,9 @@ struct JointPlan {
 ///
 /// The work is set by the settings' budget, not by time.
 ///
-/// @return  Nothing where no such plan is carried by tanks and packs, or on surveys.
+/// @param start  May leave out everything: then it begins without.
+/// @return  Nothing where no such plan is carried by tanks and packs with all down in time, or on
+/// surveys.
 std::optional<JointPlan> joint_plan(const planner::Route& route, const RouteLengths& lengths,
                                     std::span<const Vehicle> vehicles,
                                     std::span<const Station> stations,

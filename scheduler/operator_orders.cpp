@@ -41,7 +41,7 @@ std::string SchedulerNode::take(const OperatorOrder& order, Outbox& out) {
     case OperatorAsk::stop:
       set_level(FleetLevel::end, "mission_stopped", "ends the mission", out);
       break;
-    case OperatorAsk::take_out: take_out(order.agent, out); break;
+    case OperatorAsk::take_out: take_out(order.agent, "as the operator orders", out); break;
   }
   return why;
 }
@@ -67,13 +67,31 @@ void SchedulerNode::set_level(FleetLevel level, std::string_view kind, std::stri
       event(kind, text(scheduler_node()) + " " + std::string{what} + ", as the operator orders"));
 }
 
-void SchedulerNode::take_out(AgentId agent, Outbox& out) {
+void SchedulerNode::take_out(AgentId agent, std::string_view why, Outbox& out) {
   for (Member& m : members_) {
     if (m.agent != agent || m.is_out) continue;
     m.is_out = true;
     ++level_revision_;
     out.messages.push_back(
-        event("agent_taken_out", text(agent) + " goes home for good, as the operator orders"));
+        event("agent_taken_out", text(agent) + " goes home for good, " + std::string{why}));
+  }
+}
+
+/// When it has to turn for home to be down at the end of its window.
+Instant SchedulerNode::called_home(const Member& m) const {
+  constexpr double detours = 1.3;
+  constexpr Seconds kept = seconds(30.0);
+  if (!m.vehicle.available_until) return never;
+  const Length away = distance(m.place.position, haven(m.station).position);
+  const Seconds home = detours * away / m.vehicle.ferry_speed + kept;
+  return instant(std::max(*m.vehicle.available_until - home, Seconds{}));
+}
+
+/// Takes out whoever has to go home.
+void SchedulerNode::close_windows(Instant now, Outbox& out) {
+  for (const Member& m : members_) {
+    if (m.lost || m.is_out || now < called_home(m)) continue;
+    if (has_work_left(m)) take_out(m.agent, "as its window ends", out);
   }
 }
 

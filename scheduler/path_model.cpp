@@ -1,9 +1,11 @@
 #include "scheduler/path_model.hpp"
 
+#include "core/corner.hpp"
 #include "planner/fleet/bound.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace furrow::scheduler {
@@ -28,6 +30,7 @@ fleet::Flier flier(const Vehicle& v) {
           .pack_s = usable_endurance(v).base(),
           .spray_mps = v.spray_speed.base(),
           .ferry_mps = v.ferry_speed.base(),
+          .ready_s = v.available_from.base(),
           .start = v.home};
 }
 
@@ -44,21 +47,105 @@ double mean_ferry_mps(std::span<const Vehicle> vehicles) {
   return sum_mps / static_cast<double>(vehicles.size());
 }
 
+/// A flier as bounds may take it.
+fleet::Flier fastest_flier(const Vehicle& v) {
+  fleet::Flier f = flier(v);
+  f.ferry_mps = std::max(f.ferry_mps, f.spray_mps);
+  return f;
+}
+
+double angle_rad(FieldVector in, FieldVector out) {
+  const double across = (in.x * out.y - in.y * out.x).base();
+  const double along = (in.x * out.x + in.y * out.y).base();
+  return std::abs(std::atan2(across, along));
+}
+
+/// What the corners of a grid walk, cut with the valve open, spare the fleet at most. An arc that
+/// leaves both legs c before a corner of angle q has the radius r = c / tan(q / 2) and is flown at
+/// sqrt(a r), or at the spray speed if that is less.
+class CutCorners {
+ public:
+  CutCorners(std::span<const Vehicle> vehicles, Length cell)
+      : vehicles_{vehicles}, half_m_{0.5 * cell.base()} {}
+
+  /// A hop as metres of ferry, longer by the slower flight with the valve open and shorter by both
+  /// its corners.
+  double hop_m(const planner::Strip& before, const planner::Strip& next) const {
+    const FieldVector hop = next.begin - before.end;
+    const double length_m = distance(before.end, next.begin).base();
+    double ferried_m = std::numeric_limits<double>::infinity();
+    for (const Vehicle& v : vehicles_) {
+      const fleet::Flier f = fastest_flier(v);
+      const double gain_s = gain_s_at(before, hop, v) + gain_s_at(next, hop, v);
+      const double hop_mps = next.continues ? f.spray_mps : f.ferry_mps;
+      ferried_m = std::min(ferried_m, (length_m / hop_mps - gain_s) * f.ferry_mps);
+    }
+    return ferried_m;
+  }
+
+  /// Of a way between a station and the path: at most the legs that the arc replaces.
+  double way_m() const {
+    double most_m = 0.0;
+    for (const Vehicle& v : vehicles_) {
+      const fleet::Flier f = fastest_flier(v);
+      most_m = std::max(most_m, half_m_ * (1.0 + f.ferry_mps / f.spray_mps));
+    }
+    return most_m;
+  }
+
+ private:
+  double gain_s_at(const planner::Strip& strip, FieldVector hop, const Vehicle& v) const {
+    const double strip_m = distance(strip.begin, strip.end).base();
+    const double hop_m = std::hypot(hop.x.base(), hop.y.base());
+    const double cut_m = std::min({half_m_, 0.5 * strip_m, 0.5 * hop_m});
+    const double angle = angle_rad(strip.end - strip.begin, hop);
+    if (angle < straight_rad || cut_m <= 0.0) return 0.0;
+    const double radius_m = cut_m / std::tan(0.5 * angle);
+    const double turning_mps = std::sqrt(v.acceleration_limit.base() * radius_m);
+    const double spray_mps = v.spray_speed.base();
+    return std::max(0.0,
+                    2.0 * cut_m / spray_mps - angle * radius_m / std::min(spray_mps, turning_mps));
+  }
+
+  std::span<const Vehicle> vehicles_;
+  double half_m_;
+};
+
 /// The route as bounds may take it: nobody sprays less or flies further.
-std::optional<fleet::FleetProblem> bound_model(const planner::Route& route,
-                                               std::span<const Vehicle> vehicles,
-                                               std::span<const Station> stations) {
-  std::vector<fleet::StraightStrip> strips;
+struct BoundModel {
+  std::vector<fleet::StraightStrip> strips{};
+  double way_cut_m = 0.0;
+  double spared_m = 0.0;  ///< Of ferries, by corners of hops that are shorter than that.
+};
+
+BoundModel bound_strips(const planner::Route& route, std::span<const Vehicle> vehicles) {
+  BoundModel model;
+  const bool is_walk = !std::all_of(route.strips.begin(), route.strips.end(), planner::sprays_ends);
+  const CutCorners corners{vehicles, route.cell};
+  if (is_walk) model.way_cut_m = corners.way_m();
+  const planner::Strip* before = nullptr;
   for (const planner::Strip& s : route.strips) {
-    if (!(s.begin == s.end)) strips.push_back({s.begin, s.end});
+    if (s.begin == s.end) continue;
+    fleet::StraightStrip strip{s.begin, s.end};
+    if (is_walk && before != nullptr) {
+      const bool is_next = end(before->cells) == s.cells.first && s.approach.empty();
+      const double hop_m = is_next ? corners.hop_m(*before, s) : 0.0;
+      strip.hop_m = std::max(0.0, hop_m);
+      model.spared_m += *strip.hop_m - hop_m;
+    }
+    model.strips.push_back(strip);
+    before = &s;
   }
-  if (strips.empty()) return std::nullopt;
-  fleet::FleetProblem p{
-      .path = fleet::StripPath{strips}, .fliers = {}, .depots = {}, .ends_sprayed = true};
-  for (const Vehicle& v : vehicles) {
-    p.fliers.push_back(flier(v));
-    p.fliers.back().ferry_mps = std::max(p.fliers.back().ferry_mps, p.fliers.back().spray_mps);
-  }
+  return model;
+}
+
+fleet::FleetProblem bound_problem(const BoundModel& model, std::span<const Vehicle> vehicles,
+                                  std::span<const Station> stations) {
+  fleet::FleetProblem p{.path = fleet::StripPath{model.strips, model.way_cut_m},
+                        .fliers = {},
+                        .depots = {},
+                        .ends_sprayed = true};
+  for (const Vehicle& v : vehicles) p.fliers.push_back(fastest_flier(v));
   for (const Station& s : stations) p.depots.push_back(depot(s));
   return p;
 }
@@ -92,6 +179,7 @@ std::optional<fleet::FleetProblem> search_model(const planner::Route& route,
     f.tank_m -= margins.spare_cells * cell_m;
     f.pack_s *= margins.pack_share;
     f.sortie_s = margins.sortie_loss_s;
+    if (const auto until = planned_until(v)) f.until_s = until->base() - margins.early_s;
     if (f.tank_m <= least_cells * cell_m) return std::nullopt;
     p.fliers.push_back(f);
   }
@@ -118,10 +206,18 @@ MakespanBound fleet_bound(const planner::Route& route, std::span<const Vehicle> 
                           std::span<const Station> stations) {
   constexpr fleet::BayBoundSettings quick{
       .slots = 60, .evaluations = 150, .fine_slots = 120, .fine_evaluations = 50};
-  const auto model = bound_model(route, vehicles, stations);
-  if (!model) return {0.0, {}};
-  const fleet::LowerBound bound = fleet::best_bound(*model, quick);
-  return {bound.makespan_s, std::string{bound.name}};
+  const BoundModel model = bound_strips(route, vehicles);
+  if (model.strips.empty()) return {0.0, {}};
+  const fleet::FleetProblem problem = bound_problem(model, vehicles, stations);
+  const fleet::LowerBound bound = fleet::best_bound(problem, quick);
+  double slowest_mps = std::numeric_limits<double>::infinity();
+  double begins_s = std::numeric_limits<double>::infinity();
+  for (const fleet::Flier& f : problem.fliers) {
+    slowest_mps = std::min(slowest_mps, f.ferry_mps);
+    begins_s = std::min(begins_s, f.ready_s);
+  }
+  return {begins_s + std::max(0.0, bound.makespan_s - model.spared_m / slowest_mps),
+          std::string{bound.name}};
 }
 
 }  // namespace furrow::scheduler

@@ -19,6 +19,7 @@ struct ModelMargins {
   double sortie_loss_s = 0.0;  ///< A flight takes longer by this besides, >= 0.
   double pack_share = 1.0;     ///< Of a pack, planned with; > 0.
   double spare_cells = 0.0;    ///< Of every tank, >= 0.
+  double early_s = 0.0;        ///< Down so long before plans have to be, >= 0.
 };
 
 /// The route for a search. Cells become stretches of their strip, of equal length; what is sprayed
@@ -49,6 +50,8 @@ struct MakespanBound {
 /// flown in another order or the other way may be done earlier.
 ///
 /// The best bound of planner::fleet: ways are straight, packs are swapped while tanks are filled.
+/// Where cells are sprayed from centre to centre, what corners cut with the valve open can spare is
+/// given away: at every hop between two strips, and at both ends of each way to a station.
 ///
 /// @return  0 of no name where no strip has a length.
 MakespanBound fleet_bound(const planner::Route& route, std::span<const Vehicle> vehicles,

@@ -185,10 +185,12 @@ std::vector<FleetTask> tasks(const FleetProblem& problem, const Sketch& s,
     const Share& share = shares[u];
     FleetTask task{.agent = vehicle.id, .station = share.station, .problem = {}, .times = {}};
     if (share.strips.count > 0) {
-      task.problem = planner::return_problem(
-          s.coverage.route, cells_of(s.coverage.route, share.strips), vehicle,
-          problem.stations[share.station], s.lengths.stations[share.station]);
+      const CellRange cells = cells_of(s.coverage.route, share.strips);
+      task.problem =
+          planner::return_problem(s.coverage.route, cells, vehicle, problem.stations[share.station],
+                                  part(s.lengths.stations[share.station], cells));
       task.times.emplace(s.coverage.route, *task.problem);
+      task.begins_s = vehicle.available_from.base();
     }
     all.push_back(std::move(task));
   }
@@ -241,17 +243,18 @@ Expected<Solved, PlanError> best_solved(const FleetProblem& problem, const Sketc
 /// Those who come late count as if they were there from the start. On surveys, whose strips have
 /// no length, of contiguous shares only. An aircraft alone with one station has its solver's bound
 /// besides.
-MakespanBound lower_bound(const FleetProblem& problem, const Sketch& s, const Solved& found) {
+MakespanBound lower_bound(const FleetProblem& problem, const Sketch& s,
+                          const Expected<Solved, PlanError>& found) {
   const std::vector<Vehicle> fleet = whole_fleet(problem);
   const planner::Route& route = s.coverage.route;
   MakespanBound bound = fleet_bound(route, fleet, problem.stations);
   if (bound.name.empty()) {
     bound = {makespan_bound_s(route, s.lengths, fleet, problem.stations), "shares"};
   }
-  if (fleet.size() > 1 || problem.stations.size() > 1) return bound;
-  const planner::ReturnProblem& only = *found.tasks[0].problem;
+  if (fleet.size() > 1 || problem.stations.size() > 1 || !found) return bound;
+  const planner::ReturnProblem& only = *found->tasks[0].problem;
   const double by_returns_s = only.fly_out_m / only.vehicle.ferry_speed.base() +
-                              only.on_route_s.back() + found.returns.solutions[0].lower_bound_s;
+                              only.on_route_s.back() + found->returns.solutions[0].lower_bound_s;
   return by_returns_s > bound.makespan_s ? MakespanBound{by_returns_s, "returns"} : bound;
 }
 
@@ -267,13 +270,27 @@ SortieLists lists_of(const Sketch& s, const Solved& found) {
 
 /// Sorties chosen for the fleet together, where there is a choice and the settings want it.
 std::optional<JointPlan> jointly(const FleetProblem& problem, const Sketch& s,
-                                 const Solved& found) {
+                                 const Expected<Solved, PlanError>& found) {
   const bool has_choice = problem.vehicles.size() > 1 || problem.stations.size() > 1;
   if (!has_choice || !planner::is_by_gravity(problem.solver.returns) || problem.survey) {
     return std::nullopt;
   }
   return joint_plan(s.coverage.route, s.lengths, problem.vehicles, problem.stations, problem.solver,
-                    lists_of(s, found));
+                    found ? lists_of(s, *found) : SortieLists(problem.vehicles.size()));
+}
+
+/// Why nothing is planned: what hinders the shares, or whose window is too short for its share.
+PlanError refusal(const FleetProblem& problem, const Expected<Solved, PlanError>& found) {
+  if (!found) return found.error();
+  const Forecast& shares = found->returns.forecast;
+  std::size_t u = 0;
+  while (u + 1 < problem.vehicles.size() && is_in_time(problem.vehicles[u], shares.lands_s[u])) ++u;
+  const Vehicle& late = problem.vehicles[u];
+  return {PlanFault::window_too_short,
+          fmt::format("UAV {} lands at {:.1f} s, its window ends at {:.1f} s, of which plans keep "
+                      "the last {:.1f} s",
+                      number(late.id), shares.lands_s[u], late.available_until->base(),
+                      (*late.available_until - *planned_until(late)).base())};
 }
 
 std::vector<UavPlan> planned_shares(const FleetProblem& problem, const Sketch& s, Solved& found) {
@@ -390,25 +407,29 @@ Expected<FleetPlan, PlanError> plan_fleet(const FleetProblem& problem) {
   if (!sketched) return Unexpected{sketched.error()};
   Sketch& s = *sketched;
   auto found = best_solved(problem, s);
-  if (!found) return Unexpected{found.error()};
-  MakespanBound bound = lower_bound(problem, s, *found);
+  auto joint = jointly(problem, s, found);
+  const bool may_share = found && is_in_time(problem.vehicles, found->returns.forecast);
+  if (!joint && !may_share) return Unexpected{refusal(problem, found)};
+  const bool is_joint =
+      joint && (!may_share || worth(joint->flown.forecast) < worth(found->returns.forecast));
+  MakespanBound bound = lower_bound(problem, s, found);
   FleetPlan plan{.route = {},
                  .sweep = s.coverage.sweep,
                  .work_direction_deg = s.coverage.direction_deg,
                  .uavs = {},
-                 .makespan_s = found->returns.forecast.makespan_s,
+                 .makespan_s = is_joint ? joint->flown.forecast.makespan_s
+                                        : found->returns.forecast.makespan_s,
                  .lower_bound_s = bound.makespan_s,
                  .bound = std::move(bound.name)};
-  auto joint = jointly(problem, s, *found);
   if (joint) {
-    plan.yardsticks = {.shares_s = plan.makespan_s,
+    plan.yardsticks = {.shares_s = {},
                        .till_empty_s = joint->till_empty_s,
                        .simple_s = joint->simple_s,
                        .evaluations = joint->evaluations,
-                       .is_joint = worth(joint->flown.forecast) < worth(found->returns.forecast)};
+                       .is_joint = is_joint};
+    if (may_share) plan.yardsticks->shares_s = found->returns.forecast.makespan_s;
   }
-  if (joint && plan.yardsticks->is_joint) {
-    plan.makespan_s = joint->flown.forecast.makespan_s;
+  if (is_joint) {
     plan.uavs = std::move(joint->flown.uavs);
     plan.route = std::move(joint->flown.order.route);
   } else {

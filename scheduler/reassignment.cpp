@@ -75,7 +75,7 @@ void SchedulerNode::share_out(Instant now, Outbox& out) {
 
 bool SchedulerNode::can_take_more(const Member& m, Instant now) const {
   const bool is_heard = m.boot && now - m.last_heard < settings_.agent_lease;
-  return is_heard && !m.lost && !m.is_out && m.phase != Phase::offline;
+  return is_heard && !m.lost && !m.is_out && m.phase != Phase::offline && now < called_home(m);
 }
 
 /// Gives those who came late a share of what is left.
@@ -231,7 +231,7 @@ double SchedulerNode::done_s(const Member& m, Instant now) const {
 Survivor SchedulerNode::survivor(const Member& m, Instant now) const {
   Survivor s{.vehicle = m.vehicle,
              .station = haven(m.station),
-             .ready_s = seconds(now.time_since_epoch()).base()};
+             .ready_s = std::max(seconds(now.time_since_epoch()), m.vehicle.available_from).base()};
   if (m.pieces.empty()) return s;
   s.vehicle.home = s.station.position;
   s.ready_s = done_s(m, now) + service_time(s.station, true, 1.0).base();

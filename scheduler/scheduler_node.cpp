@@ -79,6 +79,7 @@ Outbox SchedulerNode::step(const Inbox& inbox, Instant now) {
   if (phase_ != MissionPhase::finished) {
     for (const Envelope& envelope : inbox) hear(envelope, now, out);
     take_orders(now, out);
+    close_windows(now, out);
     check_leases(now, out);
     gather(now, out);
     hand_over();
@@ -242,7 +243,7 @@ void SchedulerNode::abandon(CellRange cells, std::string_view why, Outbox& out) 
 void SchedulerNode::direct(Member& m, Instant now, Outbox& out) {
   if (m.lost) return;
   if (!m.accepted) {
-    if (leaves_on_order(m)) return;
+    if (leaves_on_order(m) || now < instant(m.vehicle.available_from)) return;
     if (is_due(m.commanded_at, now)) command(m, now, out);
     return;
   }
@@ -351,6 +352,9 @@ Instant SchedulerNode::next_wake(Instant now) const {
   }
   for (const Member& m : members_) {
     if (is_leased(m)) next = std::min(next, m.last_heard + settings_.agent_lease);
+    const Instant opens = instant(m.vehicle.available_from);
+    if (!m.accepted && opens > now) next = std::min(next, opens);
+    if (!m.is_out && called_home(m) > now) next = std::min(next, called_home(m));
   }
   return std::max(next, now + Duration{1});
 }

@@ -60,6 +60,9 @@ struct SchedulerSettings {
 /// is taken out closes its windows on the way home; the rest of its list is shared over the others.
 /// Once the operator has stopped the mission, what is not sprayed is given up.
 ///
+/// An aircraft that is available for a time only is commanded once that begins, and taken out as
+/// the operator would in time to be home when it ends.
+///
 /// Where aircraft keep a distance, what they claim to fly between stations and work is put off
 /// until it is clear of what others fly and of where they are at work.
 ///
@@ -121,12 +124,14 @@ class SchedulerNode {
   std::string take(const OperatorOrder& order, Outbox& out);
   std::string refusal(const OperatorOrder& order) const;
   void set_level(FleetLevel level, std::string_view kind, std::string_view what, Outbox& out);
-  void take_out(AgentId agent, Outbox& out);
+  void take_out(AgentId agent, std::string_view why, Outbox& out);
   void hand_over();
   void wind_up(Outbox& out);
   void report_orders(Outbox& out);
   bool leaves_on_order(const Member& m) const { return m.is_out || level_ == FleetLevel::end; }
 
+  void close_windows(Instant now, Outbox& out);
+  Instant called_home(const Member& m) const;
   void gather(Instant now, Outbox& out);
   void check_leases(Instant now, Outbox& out);
   void check_limit(Instant now, Outbox& out);

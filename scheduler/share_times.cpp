@@ -62,27 +62,28 @@ std::vector<std::uint32_t> near_stations(const RouteLengths& lengths, std::uint3
   return near;
 }
 
-const std::vector<double>& FirstFlights::from(FieldPoint home) {
+std::shared_ptr<const std::vector<double>> FirstFlights::from(FieldPoint home) {
   const auto [known, is_new] = known_m_.try_emplace({home.x.base(), home.y.base()});
   if (is_new) {
+    std::vector<double> ways_m;
+    ways_m.reserve(route_.strips.size());
     for (const planner::Strip& strip : route_.strips) {
-      known->second.push_back(route_.ferries.length(home, strip.begin).base());
+      ways_m.push_back(route_.ferries.length(home, strip.begin).base());
     }
+    known->second = std::make_shared<const std::vector<double>>(std::move(ways_m));
   }
   return known->second;
 }
 
 Pace pace(FirstFlights& flights, const Vehicle& vehicle, const Station& station,
           std::span<const double> home_m) {
-  Pace p{.spray_mps = vehicle.spray_speed.base(),
-         .ferry_mps = vehicle.ferry_speed.base(),
-         .tank_m = widened * tank_range(vehicle).base(),
-         .fill_base_s = station.fill_base.base(),
-         .fill_s_per_m = fill_s_per_m(vehicle, station),
-         .home_m = home_m,
-         .out_s = {}};
-  for (const double out_m : flights.from(vehicle.home)) p.out_s.push_back(out_m / p.ferry_mps);
-  return p;
+  return {.spray_mps = vehicle.spray_speed.base(),
+          .ferry_mps = vehicle.ferry_speed.base(),
+          .tank_m = widened * tank_range(vehicle).base(),
+          .fill_base_s = station.fill_base.base(),
+          .fill_s_per_m = fill_s_per_m(vehicle, station),
+          .home_m = home_m,
+          .out_m = flights.from(vehicle.home)};
 }
 
 Pace fastest_pace(const planner::Route& route, std::span<const Vehicle> vehicles,
@@ -90,7 +91,7 @@ Pace fastest_pace(const planner::Route& route, std::span<const Vehicle> vehicles
   require(!vehicles.empty() && !stations.empty(), "a fleet has aircraft and stations");
   FirstFlights flights{route};
   Pace best = pace(flights, vehicles[0], stations[0], nearest_m);
-  best.out_s.assign(route.strips.size(), std::numeric_limits<double>::infinity());
+  std::vector<double> out_m(route.strips.size(), std::numeric_limits<double>::infinity());
   for (const Vehicle& v : vehicles) {
     best.spray_mps = std::max(best.spray_mps, v.spray_speed.base());
     best.ferry_mps = std::max({best.ferry_mps, v.ferry_speed.base(), best.spray_mps});
@@ -101,13 +102,12 @@ Pace fastest_pace(const planner::Route& route, std::span<const Vehicle> vehicles
     }
   }
   const auto closer = [&](FieldPoint from) {
-    const std::vector<double>& out_m = flights.from(from);
-    for (std::size_t i = 0; i < out_m.size(); ++i) {
-      best.out_s[i] = std::min(best.out_s[i], out_m[i] / best.ferry_mps);
-    }
+    const auto from_m = flights.from(from);
+    for (std::size_t i = 0; i < out_m.size(); ++i) out_m[i] = std::min(out_m[i], (*from_m)[i]);
   };
   for (const Vehicle& v : vehicles) closer(v.home);
   for (const Station& s : stations) closer(s.position);
+  best.out_m = std::make_shared<const std::vector<double>>(std::move(out_m));
   return best;
 }
 
@@ -123,8 +123,8 @@ GrowingShare::GrowingShare(const planner::Route& route, const RouteLengths& leng
   if (!can_grow()) return;
   first_cell_ = route.strips[first].cells.first;
   first_m_ = lengths.begin_m[first];
-  base_s_ =
-      pace.out_s[first] - first_m_ / pace.spray_mps - lengths.ferry_m[first_cell_] / pace.ferry_mps;
+  base_s_ = (*pace.out_m)[first] / pace.ferry_mps - first_m_ / pace.spray_mps -
+            lengths.ferry_m[first_cell_] / pace.ferry_mps;
 }
 
 bool GrowingShare::can_grow() const { return next_strip_ < route_.strips.size(); }

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
@@ -39,7 +40,8 @@ struct Pace {
   double fill_base_s;              ///< Per return.
   double fill_s_per_m;             ///< Per metre sprayed after the first return.
   std::span<const double> home_m;  ///< By cell: distance to the station, of a RouteLengths.
-  std::vector<double> out_s;       ///< By strip: first flight to its first cell.
+  /// By strip: way of the first flight to its first cell.
+  std::shared_ptr<const std::vector<double>> out_m;
 };
 
 /// Ferry ways from homes to where the strips of a route begin, each home measured once.
@@ -49,11 +51,11 @@ class FirstFlights {
   explicit FirstFlights(const planner::Route& route) : route_{route} {}
 
   /// By strip, in metres.
-  const std::vector<double>& from(FieldPoint home);
+  std::shared_ptr<const std::vector<double>> from(FieldPoint home);
 
  private:
   const planner::Route& route_;
-  std::map<std::pair<double, double>, std::vector<double>> known_m_{};
+  std::map<std::pair<double, double>, std::shared_ptr<const std::vector<double>>> known_m_{};
 };
 
 /// @param home_m  Distances from every cell to `station`; they must outlive the pace.

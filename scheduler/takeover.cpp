@@ -106,12 +106,14 @@ std::optional<Planned> planned(const Desk& desk, std::size_t u, const Share& sha
   const planner::Route& route = desk.left.route;
   const std::uint32_t first = route.strips[share.strips.first].cells.first;
   const std::uint32_t stop = end(route.strips[end(share.strips) - 1].cells);
+  const CellRange cells{first, stop - first};
   const ReturnProblem problem =
-      planner::return_problem(route, {first, stop - first}, survivor.vehicle, survivor.station,
-                              desk.lengths.stations[desk.at[u]]);
+      planner::return_problem(route, cells, survivor.vehicle, survivor.station,
+                              part(desk.lengths.stations[desk.at[u]], cells));
   auto plan = quick_plan(problem);
   if (!plan) return std::nullopt;
   const Itinerary flown = itinerary(survivor.vehicle.id, 0, *plan, FlightTimes{route, problem});
+  if (!is_in_time(survivor.vehicle, survivor.ready_s + flight_s(flown))) return std::nullopt;
   UavPlan uav{.vehicle = survivor.vehicle,
               .station = survivor.station,
               .strips = share.strips,

@@ -30,7 +30,7 @@ void add_yardsticks(const MissionRecord& record, SolverFigures& f) {
       known->second = planner::station_lengths(record.plan.route, uav.station.position);
     }
     const auto problem = planner::return_problem(record.plan.route, uav.cells, uav.vehicle,
-                                                 uav.station, known->second);
+                                                 uav.station, part(known->second, uav.cells));
     const auto until_empty = planner::unplanned_plan(problem);
     is_told = is_told && until_empty;
     if (until_empty) until_empty_s += until_empty->non_spray_s;

@@ -33,9 +33,10 @@ std::string minutes_or_none(std::optional<double> s) {
 
 // What the plan was chosen from.
 std::string yardstick_row(const scheduler::Yardsticks& y) {
-  return fmt::format("{}; shares of strips {:.2f} min, till empty {}, simple {}\n",
+  return fmt::format("{}; by shares of strips {}, till empty {}, simple {} min\n",
                      y.is_joint ? "sorties chosen jointly" : "joint search found nothing faster",
-                     y.shares_s / 60, minutes_or_none(y.till_empty_s), minutes_or_none(y.simple_s));
+                     minutes_or_none(y.shares_s), minutes_or_none(y.till_empty_s),
+                     minutes_or_none(y.simple_s));
 }
 
 std::string distance_to_bound(const SolverFigures& s) {

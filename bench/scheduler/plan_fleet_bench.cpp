@@ -106,6 +106,7 @@ BENCHMARK(BM_plan_by_budget)
     ->Arg(60)
     ->Arg(600)
     ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
     ->Iterations(1);
 
 // Five hectares for each aircraft, a station of three bays for every twenty.
@@ -139,8 +140,23 @@ void BM_plan_growing_fleet(benchmark::State& state) {
 }
 BENCHMARK(BM_plan_growing_fleet)
     ->RangeMultiplier(10)
-    ->Range(1, 100)
+    ->Range(1, 1000)
     ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->Iterations(1);
+
+// The two hundred aircraft of scenarios/fleet_200.yaml by the budget of the search.
+void BM_plan_two_hundred_by_budget(benchmark::State& state) {
+  FleetProblem p = growing_fleet(200);
+  p.solver.budget_s = static_cast<double>(state.range(0));
+  plan(state, p);
+}
+BENCHMARK(BM_plan_two_hundred_by_budget)
+    ->Arg(1)
+    ->Arg(10)
+    ->Arg(60)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
     ->Iterations(1);
 
 void BM_plan_hundred_hectares(benchmark::State& state) { plan(state, hundred_hectares()); }

@@ -49,20 +49,23 @@ class Ramp {
 };
 
 struct Sizes {
-  double service_s, aircraft, bays, fastest_mps;
+  double service_s, fill_s, aircraft, bays, fastest_mps, tanks;
 };
 
 Sizes sizes(const FleetProblem& problem) {
-  Sizes s{infinite, static_cast<double>(problem.fliers.size()), 0.0, 0.0};
-  double depot_s = infinite;
+  Sizes s{infinite, infinite, static_cast<double>(problem.fliers.size()), 0.0, 0.0, 0.0};
+  double depot_s = infinite, tank_m = 0.0;
   for (const Depot& d : problem.depots) {
     depot_s = std::min(depot_s, d.service_s);
+    s.fill_s = std::min(s.fill_s, d.fill_s);
     s.bays += d.bays;
   }
   for (const Flier& f : problem.fliers) {
     s.service_s = std::min(s.service_s, depot_s + f.service_s);
     s.fastest_mps = std::max(s.fastest_mps, f.spray_mps);
+    tank_m = std::max(tank_m, f.tank_m);
   }
+  s.tanks = problem.path.length_m() / (tank_m + 1e-6);
   return s;
 }
 
@@ -74,12 +77,11 @@ class Refuted {
           std::vector<double> prices)
       : sizes_{sizes},
         slot_s_{sizes.service_s / static_cast<double>(service)},
-        time_{static_cast<std::size_t>(from_s / slot_s_) + 1, service},
+        time_{static_cast<std::size_t>(from_s / slot_s_) + 1, service, sizes.fill_s / slot_s_},
         split_{problem, slot_s_, 0.5 * slot_s_ * sizes.fastest_mps},
         by_flight_{split_.levels()},
         flights_(split_.levels()),
         split_counts_(split_.levels()),
-        flight_counts_(split_.levels()),
         prices_{std::move(prices)} {}
 
   /// Refuted, all of it: no plan is over by then.
@@ -92,7 +94,8 @@ class Refuted {
   double operator()(std::span<const double> prices, std::span<double> slope) {
     for (std::size_t j = 0; j < flights_.size(); ++j)
       flights_[j] = std::max(0.0, by_flight_.value(prices.first(knots), j));
-    const double split = split_.least(flights_, split_counts_);
+    const double tank = std::max(0.0, prices.back());
+    const double split = split_.least(flights_, split_counts_) + tank * sizes_.tanks;
     if (!(split > 0.0)) return 0.0;
     double earned = earn(prices);
     if (earned < split * (1.0 - 1e-9)) prices_.assign(prices.begin(), prices.end());
@@ -107,27 +110,38 @@ class Refuted {
  private:
   double earn(std::span<const double> prices) {
     const Ramp by_time{time_.slots};
-    services_.resize(time_.slots);
-    service_counts_.resize(time_.slots);
-    bay_counts_.resize(time_.slots);
-    for (std::size_t i = 0; i < time_.slots; ++i)
-      services_[i] = by_time.value(prices.last(knots), i);
-    return sizes_.aircraft *
-               aircraft_.most(time_, flights_, services_, flight_counts_, service_counts_) +
-           sizes_.bays * bay_.most(time_, services_, bay_counts_);
+    bays_.resize(time_.slots);
+    double bay = 0.0;
+    for (std::size_t i = 0; i < time_.slots; ++i) {
+      bays_[i] = std::max(0.0, by_time.value(of_bays(prices), i));
+      bay += bays_[i];
+    }
+    const double aircraft = aircraft_.most(time_, {.flights = flights_,
+                                                   .sprayed = split_.sprayed(),
+                                                   .tank = std::max(0.0, prices.back()),
+                                                   .bays = bays_});
+    return sizes_.aircraft * aircraft + sizes_.bays * bay;
+  }
+  static std::span<const double> of_bays(std::span<const double> prices) {
+    return prices.subspan(knots, knots);
   }
   void slopes(std::span<const double> prices, std::span<double> slope, double ratio,
               double split) const {
     const Ramp by_time{time_.slots};
+    const Earned by = aircraft_.earned();
     std::fill(slope.begin(), slope.end(), 0.0);
     for (std::size_t j = 0; j < flights_.size(); ++j) {
       if (by_flight_.value(prices.first(knots), j) < 0.0) continue;
-      const double more = ratio * split_counts_[j] - sizes_.aircraft * flight_counts_[j];
+      const double more = ratio * split_counts_[j] - sizes_.aircraft * by.flights[j];
       by_flight_.add(slope.first(knots), j, more / split);
     }
     for (std::size_t i = 0; i < time_.slots; ++i) {
-      const double more = sizes_.aircraft * service_counts_[i] - sizes_.bays * bay_counts_[i];
-      by_time.add(slope.last(knots), i, more / split);
+      if (by_time.value(of_bays(prices), i) < 0.0) continue;
+      const double more = sizes_.aircraft * by.bays[i] - sizes_.bays;
+      by_time.add(slope.subspan(knots, knots), i, more / split);
+    }
+    if (time_.whole_fill > 0.0 && prices.back() >= 0.0) {
+      slope.back() = (ratio * sizes_.tanks - sizes_.aircraft * by.tanks) / split;
     }
   }
 
@@ -136,16 +150,14 @@ class Refuted {
   Slots time_;
   PricedSplit split_;
   PricedAircraft aircraft_;
-  PricedBay bay_;
   Ramp by_flight_;
-  std::vector<double> flights_, services_;
-  std::vector<double> split_counts_, flight_counts_, service_counts_, bay_counts_;
+  std::vector<double> flights_, bays_{}, split_counts_;
   std::vector<double> prices_;
 };
 
-/// Flights by their time, services at no price: the bound of the work.
+/// Flights by their time, all else at no price: the bound of the work.
 std::vector<double> first_prices() {
-  std::vector<double> prices(2 * knots, 0.0);
+  std::vector<double> prices(2 * knots + 1, 0.0);
   for (std::size_t k = 0; k < knots; ++k)
     prices[k] = static_cast<double>(k + 1) / static_cast<double>(knots);
   return prices;

@@ -53,14 +53,16 @@ std::optional<FleetSorties> gsa_sorties(const FleetProblem& problem,
   GsaProblem gravity{.low = std::vector<double>(count, least_share),
                      .high = std::vector<double>(count, 1.0),
                      .objective = {}};
-  gravity.objective = [&](std::span<const double> shares) {
-    const auto sorties = code.sorties(shares);
-    return sorties ? clock.finish(*sorties).makespan_s : no_plan_s;
+  const auto cost_s = [&](const std::optional<FleetSorties>& sorties) {
+    if (!sorties) return no_plan_s;
+    const Finish finish = clock.finish(*sorties);
+    return finish.makespan_s + finish.late_s;
   };
+  gravity.objective = [&](std::span<const double> shares) { return cost_s(code.sorties(shares)); };
   gravity.starts.emplace_back(count, 1.0);
-  double best_s = clock.finish(*best).makespan_s;
+  double best_s = cost_s(best);
   const auto keep = [&](std::optional<FleetSorties> other) {
-    const double other_s = other ? clock.finish(*other).makespan_s : no_plan_s;
+    const double other_s = cost_s(other);
     if (other_s >= best_s) return;
     best_s = other_s;
     best = std::move(other);

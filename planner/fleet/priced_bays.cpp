@@ -4,60 +4,78 @@
 
 namespace furrow::planner::fleet {
 
-double PricedAircraft::most(Slots time, std::span<const double> flights,
-                            std::span<const double> services, std::span<double> flight_counts,
-                            std::span<double> service_counts) {
-  const std::size_t n = time.slots, none = n + 1;
-  best_flight_.assign(n + 2, 0);
-  earned_.assign(n + 2, 0.0);
-  for (std::size_t j = 1; j <= n + 1; ++j) {
-    const bool better = j <= flights.size() && flights[j - 1] > earned_[j - 1];
-    best_flight_[j] = better ? j : best_flight_[j - 1];
-    earned_[j] = better ? flights[j - 1] : earned_[j - 1];
-  }
-  most_.resize(n + 1);
-  lands_.resize(n + 1);
-  for (std::size_t ready = n + 1; ready-- > 0;) {
-    double most = earned_[n - ready];
-    std::size_t lands = none;
-    for (std::size_t at = ready; at + time.service <= n; ++at) {
-      const double value = earned_[at - ready + 1] - services[at] + most_[at + time.service];
-      if (value > most) {
-        most = value;
-        lands = at;
-      }
-    }
-    most_[ready] = most;
-    lands_[ready] = lands;
-  }
-  const auto fly = [&](std::size_t slots) {
-    if (best_flight_[slots] > 0) flight_counts[best_flight_[slots] - 1] += 1.0;
-  };
-  std::fill(flight_counts.begin(), flight_counts.end(), 0.0);
-  std::fill(service_counts.begin(), service_counts.end(), 0.0);
-  std::size_t ready = 0;
-  for (; lands_[ready] != none; ready = lands_[ready] + time.service) {
-    fly(lands_[ready] - ready + 1);
-    service_counts[lands_[ready]] += 1.0;
-  }
-  fly(n - ready);
-  return most_[0];
+/// What a flight sprays at most if so many slots, and a part of one, went to filling before it.
+double PricedAircraft::tanks(std::size_t level, std::size_t filled) const {
+  const double most = prices_.sprayed[level - 1];
+  if (time_.whole_fill <= 0.0) return most;
+  return std::min(most, static_cast<double>(filled + 1) / time_.whole_fill);
 }
 
-double PricedBay::most(Slots time, std::span<const double> services, std::span<double> counts) {
-  const std::size_t n = time.slots;
-  most_.assign(n + 1, 0.0);
-  const auto served = [&](std::size_t at) {
-    return at + time.service <= n ? services[at] + most_[at + time.service] : 0.0;
-  };
-  for (std::size_t at = n; at-- > 0;) most_[at] = std::max(most_[at + 1], served(at));
-  std::fill(counts.begin(), counts.end(), 0.0);
-  for (std::size_t at = 0; at < n;) {
-    const bool serves = served(at) > most_[at + 1];
-    if (serves) counts[at] += 1.0;
-    at += serves ? time.service : 1;
+void PricedAircraft::tabulate_flights() {
+  const auto most_filled = static_cast<std::size_t>(time_.whole_fill);
+  best_flights_.assign(most_filled + 1, {});
+  for (std::size_t filled = 0; filled <= most_filled; ++filled) {
+    std::vector<Flight>& best = best_flights_[filled];
+    best.assign(time_.slots + 2, {});
+    for (std::size_t level = 1; level < best.size(); ++level) {
+      best[level] = best[level - 1];
+      if (level > prices_.flights.size()) continue;
+      const double earns = prices_.flights[level - 1] + prices_.tank * tanks(level, filled);
+      if (earns > best[level].earns) best[level] = {earns, level};
+    }
   }
-  return most_[0];
+}
+
+void PricedAircraft::improve(Choice& best, std::size_t ready, std::size_t filled,
+                             double paid) const {
+  const std::size_t n = time_.slots;
+  const std::vector<Flight>& flights = best_flights_[filled];
+  for (std::size_t at = ready; at + time_.service <= n; ++at) {
+    const Flight& flight = flights[at - ready + 1];
+    const double most = flight.earns - paid + from_[at].most;
+    if (most > best.most) best = {most, flight.level, filled, at};
+  }
+  const Flight& last = flights[n - ready];
+  if (last.earns - paid > best.most) best = {last.earns - paid, last.level, filled, none};
+}
+
+double PricedAircraft::most(const Slots& time, const Prices& prices) {
+  const std::size_t n = time.slots;
+  time_ = time;
+  prices_ = prices;
+  tabulate_flights();
+  bays_until_.assign(1, 0.0);
+  for (const double price : prices.bays) bays_until_.push_back(bays_until_.back() + price);
+  from_.assign(n + 1, {});
+  for (std::size_t at = n + 1; at-- > 0;) {
+    for (std::size_t filled = 0; filled < best_flights_.size(); ++filled) {
+      const std::size_t ready = at + time.service + filled;
+      if (ready > n) break;
+      improve(from_[at], ready, filled, bays_until_[ready] - bays_until_[at]);
+    }
+  }
+  first_ = {};
+  improve(first_, 0, best_flights_.size() - 1, 0.0);
+  return first_.most;
+}
+
+Earned PricedAircraft::earned() const {
+  Earned all{.flights = std::vector<double>(prices_.flights.size(), 0.0),
+             .bays = std::vector<double>(time_.slots, 0.0)};
+  const auto fly = [&](const Choice& choice) {
+    if (choice.level == 0) return;
+    all.flights[choice.level - 1] += 1.0;
+    all.tanks += tanks(choice.level, choice.filled);
+  };
+  fly(first_);
+  for (std::size_t at = first_.next; at != none; at = from_[at].next) {
+    const Choice& choice = from_[at];
+    fly(choice);
+    if (choice.level == 0 && choice.next == none) break;
+    const std::size_t ready = at + time_.service + choice.filled;
+    for (std::size_t slot = at; slot < ready; ++slot) all.bays[slot] += 1.0;
+  }
+  return all;
 }
 
 }  // namespace furrow::planner::fleet

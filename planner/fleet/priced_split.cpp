@@ -65,6 +65,18 @@ PricedSplit::PricedSplit(const FleetProblem& problem, double level_s, double cel
   }
   least_.resize(ends);
   by_.resize(ends);
+  measure_sprayed();
+}
+
+void PricedSplit::measure_sprayed() {
+  double most_m = 0.0;
+  for (std::size_t j = 0; j < levels_; ++j) {
+    for (std::uint32_t i = 1; i < lands_s_.size(); ++i) {
+      const std::uint32_t k = from_[i * levels_ + j];
+      if (k < i) most_m = std::max(most_m, ends_m_[i] - begins_m_[k]);
+    }
+    sprayed_.push_back(std::min(most_m / tank_m_, 1.0));
+  }
 }
 
 void PricedSplit::tabulate(const FleetProblem& problem, double cell_m) {
@@ -74,11 +86,15 @@ void PricedSplit::tabulate(const FleetProblem& problem, double cell_m) {
   const std::vector<FieldPoint> places = places_to_leave(problem);
   const double length_m = path.length_m();
   const std::size_t n = cells.size();
+  tank_m_ = best.tank_m;
+  begins_m_.resize(n + 1);
+  ends_m_.resize(n + 2);
   leaves_s_.resize(n + 1);
   lands_s_.resize(n + 2);
   tank_from_.resize(n + 2, 0);
   for (std::size_t i = 0; i <= n; ++i) {
     const double at_m = i == 0 ? 0.0 : cells.end_m(i - 1);
+    begins_m_[i] = i == 0 ? 0.0 : cells.begin_m(i - 1);
     const double hops_m = i == n ? path.hops_m(0.0, length_m)
                                  : path.hops_m(0.0, length_m) - path.hops_m(at_m, length_m);
     leaves_s_[i] = at_m / best.spray_mps + (hops_m - out_m(path, places, at_m)) / best.ferry_mps;
@@ -88,6 +104,7 @@ void PricedSplit::tabulate(const FleetProblem& problem, double cell_m) {
   for (std::size_t i = 1; i <= n + 1; ++i) {
     const bool end = i == n + 1;
     const double at_m = end ? length_m : cells.begin_m(i - 1);
+    ends_m_[i] = end ? length_m : cells.end_m(i - 1);
     const double hops_m = path.hops_m(0.0, length_m) - (end ? 0.0 : path.hops_m(at_m, length_m));
     lands_s_[i] = at_m / best.spray_mps + (hops_m + back_m(problem, at_m, !end)) / best.ferry_mps;
     while (k > 0 ? cells.end_m(k - 1) < at_m - best.tank_m : at_m > best.tank_m) ++k;

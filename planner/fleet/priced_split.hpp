@@ -22,6 +22,9 @@ class PricedSplit {
 
   std::size_t levels() const { return levels_; }
 
+  /// By level: what its flights spray at most, in tanks, rising.
+  const std::vector<double>& sprayed() const { return sprayed_; }
+
   /// Least sum of prices of sorties that spray the whole path.
   /// @param prices_by_level  Of levels 1, 2, ...; any sign is allowed.
   /// @param counts           So many sorties of each level are paid for; filled in.
@@ -30,11 +33,15 @@ class PricedSplit {
 
  private:
   void tabulate(const FleetProblem& problem, double cell_m);
+  void measure_sprayed();
 
   double level_s_;
   std::size_t levels_ = 0;
   /// Of leaving in cell i (0: at the path's begin) and of landing from cell i, on one clock.
   std::vector<double> leaves_s_, lands_s_;
+  std::vector<double> begins_m_, ends_m_;  ///< Of the same, the first and the last position.
+  double tank_m_ = 0.0;
+  std::vector<double> sprayed_;
   std::vector<std::uint32_t> tank_from_;  ///< By cell: the first cell that a tank lasts from.
   std::vector<std::uint32_t> from_;       ///< By cell and level.
   std::vector<double> least_;

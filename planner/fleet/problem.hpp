@@ -17,7 +17,9 @@ struct Flier {
   double service_s = 0.0;  ///< In the bay, beyond what the station takes.
   double sortie_s = 0.0;   ///< Lost in every flight; bounds leave it out.
   double ready_s = 0.0;    ///< When it can take off first; bounds take it for 0.
-  FieldPoint start;        ///< Where it stands at time 0, tank and pack full.
+  /// Down for good by then; bounds leave it out.
+  double until_s = std::numeric_limits<double>::infinity();
+  FieldPoint start;  ///< Where it stands at time 0, tank and pack full.
 };
 
 /// Where tanks are filled and packs are swapped: both at every visit.

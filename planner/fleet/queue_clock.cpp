@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <tuple>
 
 namespace furrow::planner::fleet {
 namespace {
@@ -25,6 +26,10 @@ double service_s(const FleetProblem& problem, std::uint32_t depot, const Sortie&
   const double fill_s =
       at.fill_s > 0.0 ? at.fill_s * (next.to_m - next.from_m) / flier.tank_m : 0.0;
   return at.service_s + flier.service_s + fill_s;
+}
+
+bool is_better(const Finish& a, const Finish& b) {
+  return std::tie(a.late_s, a.makespan_s, a.total_s) < std::tie(b.late_s, b.makespan_s, b.total_s);
 }
 
 QueueClock::QueueClock(const FleetProblem& problem) : problem_{problem} {
@@ -79,6 +84,7 @@ Finish QueueClock::finish(std::span<const Sortie> sorties) {
                                                   : 0.0;
       finish.makespan_s = std::max(finish.makespan_s, now.at_s - home_s);
       finish.total_s += now.at_s;
+      finish.late_s += std::max(0.0, now.at_s - problem_.fliers[now.flier].until_s);
       continue;
     }
     const Sortie& next = sorties[next_[now.sortie]];

@@ -17,7 +17,11 @@ struct Finish {
   double makespan_s;  ///< See FleetProblem::ends_sprayed.
   double total_s;     ///< Sum of all aircraft's last landings.
   double wait_s;
+  double late_s;  ///< By which last landings are after the fliers' ends, in all.
 };
+
+/// Whether a plan is to be preferred: fewer landings too late, then the makespan, then the total.
+bool is_better(const Finish& a, const Finish& b);
 
 /// Flies plans from time 0. Each depot serves first come first served, those who come at the same
 /// instant by number, in the bay that is free first. Aircraft leave the start at once, land after

@@ -20,10 +20,6 @@ struct Judged {
   Finish finish;
 };
 
-bool is_better(const Finish& a, const Finish& b) {
-  return a.makespan_s != b.makespan_s ? a.makespan_s < b.makespan_s : a.total_s < b.total_s;
-}
-
 /// What the makespan may grow by at first, as a share. Where the budget is too small for a plan of
 /// so many sorties to settle again, it is not unsettled.
 double heat(std::size_t sorties, std::uint64_t budget) {
@@ -76,9 +72,11 @@ class Annealer {
     ++evaluations_;
     return clock_.finish(sorties);
   }
-  /// The makespan, with a slope where one aircraft alone decides it.
+  /// The makespan, with a slope where one aircraft alone decides it, and what landing late costs.
   double energy_s(const Finish& f) const {
-    return f.makespan_s + 0.05 * f.total_s / static_cast<double>(problem_.fliers.size());
+    constexpr double each_late = 3.0;
+    return f.makespan_s + 0.05 * f.total_s / static_cast<double>(problem_.fliers.size()) +
+           each_late * f.late_s;
   }
 
   const FleetProblem& problem_;

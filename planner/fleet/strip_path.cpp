@@ -7,7 +7,7 @@
 
 namespace furrow::planner::fleet {
 
-StripPath::StripPath(const std::vector<StraightStrip>& strips) {
+StripPath::StripPath(const std::vector<StraightStrip>& strips, double cut_m) : cut_m_{cut_m} {
   require(!strips.empty(), "a path has strips");
   double at_m = 0.0, hops_m = 0.0;
   for (std::size_t i = 0; i < strips.size(); ++i) {
@@ -43,7 +43,7 @@ StripPath StripPath::part(double from_m, double to_m) const {
                       point(s, std::min(to_m, begins_m_[s + 1])),
                       s > first ? hops_m_[s] - hops_m_[s - 1] : 0.0});
   }
-  return StripPath{strips};
+  return StripPath{strips, cut_m_};
 }
 
 FieldPoint StripPath::point(std::uint32_t strip, double at_m) const {
@@ -57,7 +57,7 @@ double StripPath::away_m(FieldPoint place, std::uint32_t strip, double at_m) con
   const double along_m = at_m - begins_m_[strip];
   const double x_m = line.x_m + along_m * line.along_x - place.x.base();
   const double y_m = line.y_m + along_m * line.along_y - place.y.base();
-  return std::sqrt(x_m * x_m + y_m * y_m);
+  return std::max(0.0, std::sqrt(x_m * x_m + y_m * y_m) - cut_m_);
 }
 
 }  // namespace furrow::planner::fleet

@@ -20,7 +20,9 @@ struct StraightStrip {
 class StripPath {
  public:
   /// @param strips  At least one.
-  explicit StripPath(const std::vector<StraightStrip>& strips);
+  /// @param cut_m   Ways from and to places count for so much less, for bounds of aircraft that cut
+  ///                the corners at their ends; >= 0.
+  explicit StripPath(const std::vector<StraightStrip>& strips, double cut_m = 0.0);
 
   double length_m() const { return begins_m_.back(); }
   std::uint32_t strips() const { return static_cast<std::uint32_t>(strips_.size()); }
@@ -53,6 +55,7 @@ class StripPath {
   double away_m(FieldPoint place, std::uint32_t strip, double at_m) const;
   FieldPoint point(std::uint32_t strip, double at_m) const;
 
+  double cut_m_;
   std::vector<Line> strips_;
   std::vector<double> begins_m_;  ///< By strip, and the length.
   std::vector<double> hops_m_;    ///< By strip: all hops before it.

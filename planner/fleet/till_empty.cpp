@@ -42,20 +42,31 @@ class Dealer {
   FieldPoint place(std::uint32_t u) const {
     return ready_[u].flew ? problem_.depots[ready_[u].depot].position : problem_.fliers[u].start;
   }
+  double lands_s(const Sortie& s) const {
+    return leaves_s(s) + flight_s(problem_, s, place(s.flier));
+  }
   void give(const Sortie& s) {
     Ready& r = ready_[s.flier];
-    const FieldPoint from = place(s.flier);
+    const double lands = lands_s(s);
     if (r.flew) {
-      double& bay = *std::min_element(free_s_[r.depot].begin(), free_s_[r.depot].end());
-      r.lands_s = std::max(bay, r.lands_s) + service_s(problem_, r.depot, s);
-      bay = r.lands_s;
+      auto& bays = free_s_[r.depot];
+      *std::min_element(bays.begin(), bays.end()) = leaves_s(s);
     }
-    r = {r.lands_s + flight_s(problem_, s, from), s.depot, true};
+    r = {lands, s.depot, true};
   }
   void rest(std::uint32_t u) { ready_[u].lands_s = infinite; }
   bool all_rest() const { return ready_[next()].lands_s == infinite; }
 
  private:
+  /// The station, once it has been served there.
+  double leaves_s(const Sortie& s) const {
+    const Ready& r = ready_[s.flier];
+    if (!r.flew) return r.lands_s;
+    const auto& bays = free_s_[r.depot];
+    const double bay_s = *std::min_element(bays.begin(), bays.end());
+    return std::max(bay_s, r.lands_s) + service_s(problem_, r.depot, s);
+  }
+
   const FleetProblem& problem_;
   std::vector<Ready> ready_;
   std::vector<std::vector<double>> free_s_;
@@ -63,21 +74,30 @@ class Dealer {
 
 }  // namespace
 
-double reach_m(const FleetProblem& problem, std::uint32_t flier, FieldPoint out_from, double from_m,
-               std::uint32_t depot) {
-  const double tank_end_m =
-      std::min(problem.path.length_m(), from_m + problem.fliers[flier].tank_m);
-  const auto is_carried = [&](double to_m) {
-    return flight_s(problem, {from_m, to_m, flier, depot}, out_from) <=
-           problem.fliers[flier].pack_s;
-  };
-  if (is_carried(tank_end_m)) return tank_end_m;
-  double low_m = from_m, high_m = tank_end_m;
+namespace {
+
+/// The furthest of what `is_carried` holds for, up to `to_m`; it holds near `from_m`, if anywhere.
+template <class Question>
+double furthest_m(double from_m, double to_m, Question is_carried) {
+  if (is_carried(to_m)) return to_m;
+  double low_m = from_m, high_m = to_m;
   for (int i = 0; i < 50; ++i) {
     const double middle_m = 0.5 * (low_m + high_m);
     (middle_m > from_m && is_carried(middle_m) ? low_m : high_m) = middle_m;
   }
   return low_m;
+}
+
+}  // namespace
+
+double reach_m(const FleetProblem& problem, std::uint32_t flier, FieldPoint out_from, double from_m,
+               std::uint32_t depot) {
+  const double tank_end_m =
+      std::min(problem.path.length_m(), from_m + problem.fliers[flier].tank_m);
+  return furthest_m(from_m, tank_end_m, [&](double to_m) {
+    return flight_s(problem, {from_m, to_m, flier, depot}, out_from) <=
+           problem.fliers[flier].pack_s;
+  });
 }
 
 std::optional<FleetSorties> dealt_out(const FleetProblem& problem,
@@ -92,6 +112,9 @@ std::optional<FleetSorties> dealt_out(const FleetProblem& problem,
                             std::max(end_m(from_m), from_m + least_m)});
     const std::uint32_t depot = nearest_depot(problem, to_m);
     to_m = std::min(to_m, reach_m(problem, u, dealer.place(u), from_m, depot));
+    to_m = furthest_m(from_m, to_m, [&](double sprayed_m) {
+      return dealer.lands_s({from_m, sprayed_m, u, depot}) <= problem.fliers[u].until_s;
+    });
     if (to_m < from_m + least_m) {
       dealer.rest(u);
       continue;

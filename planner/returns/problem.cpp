@@ -1,7 +1,10 @@
 #include "planner/returns/problem.hpp"
 
+#include "core/require.hpp"
 #include "planner/returns/stops.hpp"
 #include "planner/survey/turns.hpp"
+
+#include <utility>
 
 namespace furrow::planner {
 namespace {
@@ -192,13 +195,22 @@ StationLengths station_lengths(const Route& route, FieldPoint station) {
   return lengths;
 }
 
-ReturnProblem return_problem(const Route& route, CellRange cells, const Vehicle& vehicle,
-                             const Station& station) {
-  return return_problem(route, cells, vehicle, station, station_lengths(route, station.position));
+StationLengths part(const StationLengths& whole, CellRange cells) {
+  const auto first = static_cast<std::ptrdiff_t>(cells.first);
+  const auto stop = static_cast<std::ptrdiff_t>(end(cells));
+  return {.back_m = {whole.back_m.begin() + first, whole.back_m.begin() + stop},
+          .out_m = {whole.out_m.begin() + first, whole.out_m.begin() + stop}};
 }
 
 ReturnProblem return_problem(const Route& route, CellRange cells, const Vehicle& vehicle,
-                             const Station& station, const StationLengths& lengths) {
+                             const Station& station) {
+  return return_problem(route, cells, vehicle, station,
+                        part(station_lengths(route, station.position), cells));
+}
+
+ReturnProblem return_problem(const Route& route, CellRange cells, const Vehicle& vehicle,
+                             const Station& station, StationLengths lengths) {
+  require(lengths.back_m.size() == cells.count, "the lengths are those of the cells");
   const std::vector<CellStop> stops = cell_stops(route, cells);
   std::size_t strip = strip_of(route, cells.first);
   const FieldPoint begin = start_point(route, route.strips[strip], cells.first);
@@ -226,10 +238,8 @@ ReturnProblem return_problem(const Route& route, CellRange cells, const Vehicle&
     problem.resume_m.push_back(at.spray_m);
     problem.resume_s.push_back(problem.on_route_s.back() + at.skipped_m / ferry_mps);
   }
-  const auto first = static_cast<std::ptrdiff_t>(cells.first);
-  const auto stop = static_cast<std::ptrdiff_t>(end(cells));
-  problem.back_m.assign(lengths.back_m.begin() + first, lengths.back_m.begin() + stop);
-  problem.out_m.assign(lengths.out_m.begin() + first, lengths.out_m.begin() + stop);
+  problem.back_m = std::move(lengths.back_m);
+  problem.out_m = std::move(lengths.out_m);
   if (route.ferries.relief() != nullptr) add_hills(problem, route, stops, begin);
   // Where the share ends, nothing follows that a return could lead to.
   problem.out_m.back() = problem.back_m.back();

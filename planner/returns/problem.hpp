@@ -101,11 +101,14 @@ struct StationLengths {
 };
 StationLengths station_lengths(const Route& route, FieldPoint station);
 
+/// Of some of the cells.
+StationLengths part(const StationLengths& whole, CellRange cells);
+
 /// The problem of `vehicle` on `cells` of `route`, served at `station`.
-/// @param lengths  Of the route and the station.
+/// @param lengths  Of `cells` and the station.
 /// @pre `cells` is not empty and within the route.
 ReturnProblem return_problem(const Route& route, CellRange cells, const Vehicle& vehicle,
-                             const Station& station, const StationLengths& lengths);
+                             const Station& station, StationLengths lengths);
 
 /// The same where the lengths are needed once only.
 ReturnProblem return_problem(const Route& route, CellRange cells, const Vehicle& vehicle,

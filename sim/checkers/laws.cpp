@@ -7,9 +7,9 @@ namespace furrow::sim {
 
 std::vector<Violation> violations(const Facts& facts, const std::vector<Envelope>& log,
                                   Instant ended) {
-  const std::array checkers{work_laws(facts),   energy_laws(facts),    station_laws(facts),
-                            log_laws(facts),    sender_laws(facts),    clearance_laws(facts),
-                            height_laws(facts), separation_laws(facts)};
+  const std::array checkers{work_laws(facts),   energy_laws(facts),     station_laws(facts),
+                            log_laws(facts),    sender_laws(facts),     clearance_laws(facts),
+                            height_laws(facts), separation_laws(facts), window_laws(facts)};
   std::vector<Violation> all;
   for (const auto& checker : checkers) {
     for (const Envelope& envelope : log) checker->observe(envelope);

@@ -22,6 +22,7 @@
 //              height where that is less
 //          L25 over terrain, no flown track enters a keep-out volume by more than the bias of the
 //              aircraft's fixes
+// Windows  L26 no aircraft is in the air outside the time that it is available for
 // Apart    L24 two aircraft in the air are never nearer to each other than the separation
 // Senders  L21 nobody unknown is spoken of: the other laws go on without what such messages say
 // Log      L17 every sender's log is complete and in order, so equal runs have equal digests
@@ -79,6 +80,7 @@ std::unique_ptr<Checker> sender_laws(const Facts& facts);
 std::unique_ptr<Checker> clearance_laws(const Facts& facts);
 std::unique_ptr<Checker> height_laws(const Facts& facts);
 std::unique_ptr<Checker> separation_laws(const Facts& facts);
+std::unique_ptr<Checker> window_laws(const Facts& facts);
 
 /// Every violation in a log, by time.
 std::vector<Violation> violations(const Facts& facts, const std::vector<Envelope>& log,

@@ -41,6 +41,11 @@ class Faults(Furrow):
         self.assertGreater(len(result["uavs"][3]["sorties"]), 0)
         self.assertLessEqual(result["faults"][0]["noticed_s"], 601)
 
+    def test_aircraft_with_windows_are_flown_by_sim_and_run_alike(self):
+        result, _ = self.flown_alike("time_windows.yaml")
+        for uav in result["uavs"]:
+            self.assertGreater(len(uav["sorties"]), 0)
+
     def test_a_tree_that_no_map_shows_is_flown_around_by_sim_and_run_alike(self):
         for scenario in ("surprise_tree.yaml", "surprise_hill.yaml", "orchard_grid.yaml"):
             _, events = self.flown_alike(scenario)

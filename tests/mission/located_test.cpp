@@ -51,7 +51,8 @@ TEST_CASE("located: a station in a hole is a fault of its line, with the place",
   CHECK(no_plan({{10,
                   "  - {id: 4, position_m: [15,15], battery_swap_s: 60, fill: {base_s: 20, full_s: "
                   "60}}"}}) ==
-        "a.yaml:10: supply[0].position_m: must reach all of the field, there and back on one pack "
+        "a.yaml:10: supply[0].position_m: must reach the field: each place from some station, "
+        "there and back on one pack "
         "(got (15.000, 15.000) m lies in a hole or an obstacle, or too near to one; (15, 15) m, "
         "lat 0.0001357, lon 30.0001347)");
 }

@@ -4,6 +4,8 @@
 #include "tests/scheduler/fixture.hpp"
 
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
 
 #include <set>
 
@@ -182,6 +184,23 @@ TEST_CASE("fleet bound: one aircraft that sprays one strip ends no earlier than 
       SortieLists{{{.cells = {0, 12}, .station = 0}, {.cells = {12, 8}, .station = 0}}});
   REQUIRE(till_empty);
   CHECK(bound.makespan_s <= till_empty->forecast.makespan_s);
+}
+
+TEST_CASE("fleet bound: corners that are cut with the valve open are given away", "[scheduler]") {
+  // Two strips of 38 m and the step of 2 m between them, all at 1 m/s. Both corners are cut 1 m
+  // before and behind, with an arc of pi / 2 m for 2 m, flown at sqrt(3 x 1) > 1 m/s: 78 - 2 (2 -
+  // pi / 2) s. The way out, 1.4 m, is no longer than its corner.
+  const planner::Route route = comb(2, 20);
+  const std::vector<Station> one{station(1)};
+  auto fleet = small_fleet(1);
+  fleet[0].spray_speed = fleet[0].ferry_speed = metres_per_second(1);
+  const MakespanBound bound = fleet_bound(route, fleet, one);
+  CHECK(bound.makespan_s <= 74.0 + std::numbers::pi);
+  CHECK(bound.makespan_s > 76.5);
+  const auto flown = flown_lists(route, route_lengths(route, one), fleet, one,
+                                 SortieLists{{{.cells = {0, 40}, .station = 0}}});
+  REQUIRE(flown);
+  CHECK(bound.makespan_s <= flown->forecast.makespan_s);
 }
 
 }  // namespace

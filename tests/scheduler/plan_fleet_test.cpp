@@ -355,5 +355,49 @@ TEST_CASE("plan fleet: ferries lead around a keep-out volume between station and
   CHECK(length_m > 130);
 }
 
+TEST_CASE("plan_fleet: aircraft fly within the time that they are available for", "[scheduler]") {
+  FleetProblem p = problem(60, 400, 3);
+  p.solver.returns = ReturnStrategy::joint;
+  const auto free = plan_fleet(p);
+  REQUIRE(free);
+  const Seconds half = seconds(0.5 * free->makespan_s);
+  p.vehicles[1].available_from = half;
+  p.vehicles[2].available_until = half;
+  const auto plan = plan_fleet(p);
+  REQUIRE(plan);
+  CHECK(plan->makespan_s > free->makespan_s);
+  CHECK(plan->lower_bound_s <= plan->makespan_s);
+  CHECK(plan->uavs[1].spray_ends_s > half.base());
+  // A twenty-fifth of its window is kept.
+  CHECK(plan->uavs[2].cells.count > 0);
+  CHECK(plan->uavs[2].lands_s <= 0.96 * half.base());
+  std::uint32_t cells = 0;
+  for (const UavPlan& u : plan->uavs) cells += u.cells.count;
+  CHECK(cells == plan->route.centers.size());
+
+  for (Vehicle& v : p.vehicles) v.available_until = half;
+  const auto impossible = plan_fleet(p);
+  REQUIRE_FALSE(impossible);
+  CHECK(impossible.error().fault == PlanFault::window_too_short);
+}
+
+TEST_CASE("plan_fleet: each place of a field in reach of some station is enough", "[scheduler]") {
+  // Rows of 4 km. A pack lasts for 900 s at 6 m/s: half way there and back from either end, not
+  // from one end to the other and back.
+  FleetProblem p = problem(4000, 8, 2);
+  p.work_direction_deg = 90.0;
+  p.solver.returns = ReturnStrategy::joint;
+  p.stations.push_back(station(2, 1, at_m(4000, 0)));
+  for (Vehicle& v : p.vehicles) v.flight_endurance = seconds(900);
+  const auto plan = plan_fleet(p);
+  REQUIRE(plan);
+  CHECK_FALSE(plan->yardsticks->shares_s);
+  CHECK(plan->yardsticks->is_joint);
+  for (Vehicle& v : p.vehicles) v.flight_endurance = seconds(600);
+  const auto beyond = plan_fleet(p);
+  REQUIRE_FALSE(beyond);
+  CHECK(beyond.error().fault == PlanFault::out_of_reach);
+}
+
 }  // namespace
 }  // namespace furrow::scheduler

@@ -446,5 +446,26 @@ TEST_CASE("scheduler_node: cells that the route leaves out are reported", "[sche
   CHECK(run.events("cells_missed")[0].second.detail.rfind("2 workable cells", 0) == 0);
 }
 
+TEST_CASE("scheduler_node: windows of aircraft begin and end", "[scheduler]") {
+  // The first stands at its station, so it is called home 30 s before the end; the second is
+  // commanded when its window begins.
+  SchedulerSettings s = settings(seconds{3});
+  s.plan.uavs[0].vehicle.available_until = furrow::seconds(34.0);
+  s.plan.uavs[1].vehicle.available_from = furrow::seconds(20.0);
+  const Run run = fly(std::move(s), quiet_radio, 1, 3);
+  REQUIRE(run.events("agent_taken_out").size() == 1);
+  CHECK(run.events("agent_taken_out")[0].first == at_s(4));
+  CHECK(run.events("agent_taken_out")[0].second.detail ==
+        "agent 1 goes home for good, as its window ends");
+  std::optional<Instant> commanded_at;
+  for (const Envelope& e : run.log) {
+    const auto* command = std::get_if<Command>(&e.body);
+    if (command != nullptr && command->agent == AgentId{2} && !commanded_at) commanded_at = e.sent;
+  }
+  CHECK(commanded_at == at_s(20));
+  CHECK(run.states().back().completed);
+  for (const auto& [cell, times] : run.sprayed) CHECK(times == 1);
+}
+
 }  // namespace
 }  // namespace furrow::scheduler

@@ -25,12 +25,14 @@ EdgeGrid::EdgeGrid(const LandPart& part) {
   cell_y_m_ = std::max((high_.y - low_.y) / static_cast<double>(lines_), 1e-9);
   cells_.resize(columns_ * lines_);
   bands_.resize(lines_);
+  stacks_.resize(columns_);
   for (std::size_t e = 0; e < edges_.size(); ++e) {
     const PointM a = edges_[e].from, b = edges_[e].to;
     const std::size_t c0 = column_of(std::min(a.x, b.x) - touch_m);
     const std::size_t c1 = column_of(std::max(a.x, b.x) + touch_m);
     const std::size_t l0 = line_of(std::min(a.y, b.y) - touch_m);
     const std::size_t l1 = line_of(std::max(a.y, b.y) + touch_m);
+    for (std::size_t c = c0; c <= c1; ++c) stacks_[c].push_back(e);
     for (std::size_t l = l0; l <= l1; ++l) {
       bands_[l].push_back(e);
       for (std::size_t c = c0; c <= c1; ++c) cells_[l * columns_ + c].push_back(e);
@@ -84,16 +86,32 @@ const EdgeGrid::Edge* EdgeGrid::edge_at(PointM p) const {
   return found;
 }
 
-bool EdgeGrid::contains(PointM p) const {
-  if (edge_at(p)) return true;
-  if (p.y < low_.y || p.y > high_.y || p.x < low_.x || p.x > high_.x) return false;
-  bool inside = false;
+// Whether the place lies to the left of an odd number of edges.
+bool EdgeGrid::is_left_of_odd(PointM p) const {
+  bool odd = false;
   for (const std::size_t e : bands_[line_of(p.y)]) {
     const PointM a = edges_[e].from, b = edges_[e].to;
     if ((a.y <= p.y) == (b.y <= p.y)) continue;
-    if (a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x) > p.x) inside = !inside;
+    if (a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x) > p.x) odd = !odd;
   }
-  return inside;
+  return odd;
+}
+
+bool EdgeGrid::is_below_odd(PointM p) const {
+  bool odd = false;
+  for (const std::size_t e : stacks_[column_of(p.x)]) {
+    const PointM a = edges_[e].from, b = edges_[e].to;
+    if ((a.x <= p.x) == (b.x <= p.x)) continue;
+    if (a.y + (p.x - a.x) / (b.x - a.x) * (b.y - a.y) > p.y) odd = !odd;
+  }
+  return odd;
+}
+
+bool EdgeGrid::contains(PointM p) const {
+  if (edge_at(p)) return true;
+  if (p.y < low_.y || p.y > high_.y || p.x < low_.x || p.x > high_.x) return false;
+  const bool is_shorter_up = stacks_[column_of(p.x)].size() < bands_[line_of(p.y)].size();
+  return is_shorter_up ? is_below_odd(p) : is_left_of_odd(p);
 }
 
 bool EdgeGrid::sees(PointM a, PointM b) const {

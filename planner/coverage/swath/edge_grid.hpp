@@ -34,6 +34,8 @@ class EdgeGrid {
  private:
   std::size_t column_of(double x) const;
   std::size_t line_of(double y) const;
+  bool is_left_of_odd(PointM p) const;
+  bool is_below_odd(PointM p) const;
   template <class Use>
   void each_near(PointM a, PointM b, Use use) const;
 
@@ -41,8 +43,9 @@ class EdgeGrid {
   PointM low_{}, high_{};
   double cell_x_m_ = 1, cell_y_m_ = 1;
   std::size_t columns_ = 1, lines_ = 1;
-  std::vector<std::vector<std::size_t>> cells_;  ///< Edges by cell, line by line.
-  std::vector<std::vector<std::size_t>> bands_;  ///< Edges by line, each once.
+  std::vector<std::vector<std::size_t>> cells_;   ///< Edges by cell, line by line.
+  std::vector<std::vector<std::size_t>> bands_;   ///< Edges by line, each once.
+  std::vector<std::vector<std::size_t>> stacks_;  ///< Edges by column, each once.
 };
 
 }  // namespace furrow::planner

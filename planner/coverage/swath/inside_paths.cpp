@@ -6,6 +6,11 @@
 #include <utility>
 
 namespace furrow::planner {
+namespace {
+
+using Open = std::pair<double, std::size_t>;  // a length, and the corner that it leads to
+
+}  // namespace
 
 InsidePaths::InsidePaths(const LandPart& part) : grid_{part}, rings_{part.outer} {
   rings_.insert(rings_.end(), part.holes.begin(), part.holes.end());
@@ -71,7 +76,6 @@ std::optional<PathM> InsidePaths::along_ring(PointM a, PointM b) const {
 
 InsidePaths::Fan InsidePaths::fan(PointM from) const {
   Fan made{from, std::vector<double>(corners_.size(), INFINITY)};
-  using Open = std::pair<double, std::size_t>;
   std::priority_queue<Open, std::vector<Open>, std::greater<>> open;
   const auto reach = [&](std::size_t corner, double length_m) {
     if (length_m >= made.corner_m[corner]) return;
@@ -92,14 +96,19 @@ InsidePaths::Fan InsidePaths::fan(PointM from) const {
   return made;
 }
 
-// The shortest of `known` and the ways past a corner.
+// The shortest of `known` and the ways past a corner. The shortest is tried first, since to see
+// takes longest.
 InsidePaths::Arrival InsidePaths::nearest_past(const Fan& fan, PointM to, Arrival known) const {
+  std::vector<Open> open;
   for (std::size_t c = 0; c < corners_.size(); ++c) {
     const double through_m = fan.corner_m[c] + norm(to - corners_[c].at);
-    if (through_m < known.way_m && bends_around(to, corners_[c]) &&
-        grid_.sees(corners_[c].at, to)) {
-      known = {through_m, c};
-    }
+    if (through_m < known.way_m) open.emplace_back(through_m, c);
+  }
+  std::make_heap(open.begin(), open.end(), std::greater<>{});
+  for (; !open.empty(); open.pop_back()) {
+    std::pop_heap(open.begin(), open.end(), std::greater<>{});
+    const auto [through_m, c] = open.back();
+    if (bends_around(to, corners_[c]) && grid_.sees(corners_[c].at, to)) return {through_m, c};
   }
   return known;
 }
@@ -171,8 +180,8 @@ std::optional<PathM> InsidePaths::search(PointM a, PointM b, double longest_m) c
   std::vector<double> reached_m(corners_.size(), INFINITY);
   std::vector<std::size_t> came_from(corners_.size(), none);
   std::vector<bool> settled(corners_.size(), false);
-  using Open = std::pair<double, std::size_t>;  // least length through here, corner (none: goal)
-  std::priority_queue<Open, std::vector<Open>, std::greater<>> open;
+  std::priority_queue<Open, std::vector<Open>, std::greater<>> open;  // least length through here
+  std::vector<Open> seen_first;  // the same of straight ways, not yet looked at; a heap
   double goal_m = INFINITY;
   std::size_t goal_from = none;
 
@@ -186,9 +195,21 @@ std::optional<PathM> InsidePaths::search(PointM a, PointM b, double longest_m) c
   for (std::size_t c = 0; c < corners_.size(); ++c) {
     const double first_m = norm(corners_[c].at - a);
     if (first_m + norm(b - corners_[c].at) > longest_m || !bends_around(a, corners_[c])) continue;
-    if (grid_.sees(a, corners_[c].at)) reach(c, first_m, none);
+    seen_first.emplace_back(first_m + norm(b - corners_[c].at), c);
   }
-  while (!open.empty()) {
+  std::make_heap(seen_first.begin(), seen_first.end(), std::greater<>{});
+  const auto look = [&] {
+    std::pop_heap(seen_first.begin(), seen_first.end(), std::greater<>{});
+    const std::size_t c = seen_first.back().second;
+    seen_first.pop_back();
+    if (grid_.sees(a, corners_[c].at)) reach(c, norm(corners_[c].at - a), none);
+  };
+  while (!open.empty() || !seen_first.empty()) {
+    if (open.empty() || (!seen_first.empty() && seen_first.front() <= open.top())) {
+      if (seen_first.front().first >= goal_m) break;
+      look();
+      continue;
+    }
     const auto [through_m, corner] = open.top();
     open.pop();
     if (through_m >= goal_m) break;

@@ -9,27 +9,46 @@
 namespace furrow::planner::fleet {
 namespace {
 
-TEST_CASE("an aircraft earns the most by the flights and services that pay") {
+TEST_CASE("an aircraft earns the most by the flights that pay for their time in bays") {
   // Flights of 1, 2, 3 slots at 1, 4, 5; a service of 2 slots.
   PricedAircraft aircraft;
-  std::vector<double> flights{1, 4, 5}, services(8, 0.0), flown(3), served(8);
-  // Services for nothing: three flights of 2 slots with two services in between take 10 slots, less
+  const std::vector<double> flights{1, 4, 5}, sprayed{0.25, 0.5, 1.0};
+  const auto most = [&](const Slots& time, double tank, double bay) {
+    const std::vector<double> bays(time.slots, bay);
+    return aircraft.most(time,
+                         {.flights = flights, .sprayed = sprayed, .tank = tank, .bays = bays});
+  };
+  // Bays for nothing: three flights of 2 slots with two services in between take 10 slots, less
   // one for each flight that ends within a slot.
-  CHECK(aircraft.most({8, 2}, flights, services, flown, served) == 12);
-  CHECK(flown == std::vector<double>{0, 3, 0});
-  // At a price of 6 a service does not pay.
-  services.assign(8, 6.0);
-  CHECK(aircraft.most({8, 2}, flights, services, flown, served) == 5);
-  CHECK(served == std::vector<double>(8, 0.0));
+  CHECK(most({8, 2}, 0, 0) == 12);
+  CHECK(aircraft.earned().flights == std::vector<double>{0, 3, 0});
+  // At 3 a slot a service does not pay.
+  CHECK(most({8, 2}, 0, 3) == 5);
+  CHECK(aircraft.earned().bays == std::vector<double>(8, 0.0));
+  // At 1.5 a slot one does: two flights of 3 slots, less 3.
+  CHECK(most({8, 2}, 0, 1.5) == 7);
 }
 
-TEST_CASE("a bay earns the most by services that do not overlap") {
-  PricedBay bay;
-  std::vector<double> counts(6);
-  // Services of 2 slots: in slots 0, 2 and 4, 1 + 4 + 1, or in 1 and 3, 3 + 3.
-  CHECK(bay.most({6, 2}, std::vector<double>{1, 3, 4, 3, 1, 9}, counts) == 6);
-  // The last slot is too late for a service of 2.
-  CHECK(counts[5] == 0);
+TEST_CASE("an aircraft fills what it sprays, but for its first flight") {
+  // Flights of 1, 2, 3 slots spray 0.25, 0.5 and 1 tank, at 8 a tank; a service of 2 slots, 2 more
+  // to fill a tank.
+  PricedAircraft aircraft;
+  const std::vector<double> flights{0, 0, 0}, sprayed{0.25, 0.5, 1.0}, free(9, 0.0), dear(9, 2.0);
+  const auto most = [&](std::size_t slots, const std::vector<double>& bays) {
+    return aircraft.most(
+        {slots, 2, 2.0},
+        {.flights = flights, .sprayed = sprayed, .tank = 8, .bays = std::span{bays}.first(slots)});
+  };
+  CHECK(most(3, free) == 8);
+  // A first flight of 3 slots lands in slot 2; a service, one slot of filling or a little more, and
+  // a flight of 3 slots end with slot 8 only; without that slot half a tank is filled, and sprayed
+  // in 2 slots.
+  CHECK(most(8, free) == 16);
+  CHECK(most(7, free) == 12);
+  CHECK(aircraft.earned().tanks == 1.5);
+  // At 2 a slot of a bay half a tank costs 4 and earns 4, a whole one costs 6 and earns 8.
+  CHECK(most(8, dear) == 10);
+  CHECK(aircraft.earned().bays == std::vector<double>{0, 0, 1, 1, 1, 0, 0, 0});
 }
 
 TEST_CASE("the cheapest split pays for the fewest or for the shortest flights") {
@@ -67,6 +86,13 @@ TEST_CASE("a bay that all must pass holds the fleet up") {
   const double bound_s = bay_bound_s(p, 250);
   CHECK(bound_s > 390);
   CHECK(bound_s <= 400);
+  // Filling, 30 s for a tank, is done in the bay as well: the last of four is served until 420 s.
+  // Who comes earlier has sprayed less and leaves more to fill.
+  FleetProblem filled = p;
+  filled.depots[0].fill_s = 30;
+  const double filled_s = bay_bound_s(filled, 250);
+  CHECK(filled_s > 430);
+  CHECK(filled_s <= 520);
   // Four bays hold nobody up.
   CHECK(bay_bound_s(rows(8, 4, 4, 50), 249) == 249);
 }

@@ -117,5 +117,36 @@ TEST_CASE("fleets whose packs are short stay within them, and hopeless ones are 
   CHECK_FALSE(solved(p));
 }
 
+TEST_CASE("no flier of a solved fleet lands after its end, nor leaves before it is ready") {
+  FleetProblem p = yardsticks::problem(yardsticks::all[0]);
+  const auto free = solved(p, {.budget = 200'000});
+  REQUIRE(free);
+  const double half_s = 0.5 * free->finish.makespan_s;
+  p.fliers[0].until_s = half_s;
+  p.fliers[1].ready_s = half_s;
+  const auto solution = solved(p, {.budget = 200'000});
+  REQUIRE(solution);
+  CHECK(solution->finish.late_s == 0);
+  CHECK(solution->finish.makespan_s > free->finish.makespan_s);
+  const Timetable times = QueueClock{p}.timetable(solution->sorties);
+  std::size_t by_first = 0;
+  for (std::size_t i = 0; i < solution->sorties.size(); ++i) {
+    const std::uint32_t flier = solution->sorties[i].flier;
+    if (flier == 0) {
+      CHECK(times.lands_s[i] <= half_s);
+      ++by_first;
+    }
+    if (flier == 1) CHECK(times.leaves_s[i] >= half_s);
+  }
+  CHECK(by_first > 0);
+}
+
+TEST_CASE("landing late costs more than any makespan") {
+  const Finish late{.makespan_s = 10, .total_s = 10, .wait_s = 0, .late_s = 1};
+  const Finish slow{.makespan_s = 99, .total_s = 99, .wait_s = 0, .late_s = 0};
+  CHECK(is_better(slow, late));
+  CHECK_FALSE(is_better(late, slow));
+}
+
 }  // namespace
 }  // namespace furrow::planner::fleet

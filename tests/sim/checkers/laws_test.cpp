@@ -91,5 +91,29 @@ TEST_CASE("laws: L21 messages of strangers are told once and judged no further",
   CHECK(broken_laws(facts(), s) == Laws{"L21"});
 }
 
+TEST_CASE("laws: L26 an aircraft in the air before or after the time it is available for",
+          "[sim]") {
+  Facts f = facts();
+  f.whole = false;
+  f.plan.uavs[0].vehicle.available_from = seconds(2);
+  f.plan.uavs[0].vehicle.available_until = seconds(5);
+  const auto told_at = [&](double at_s, Phase phase) {
+    Script s;
+    AgentState state{};
+    state.agent = one;
+    state.phase = phase;
+    s.say(node(one), at_s, state);
+    std::size_t told = 0;
+    for (const Violation& v : violations(f, s.log, at(6))) told += v.law == "L26" ? 1 : 0;
+    return told;
+  };
+  CHECK(told_at(1.9, Phase::fly_out) == 1);
+  CHECK(told_at(1.9, Phase::idle) == 0);
+  CHECK(told_at(2, Phase::fly_out) == 0);
+  CHECK(told_at(5, Phase::fly_back) == 0);
+  CHECK(told_at(5.1, Phase::fly_back) == 1);
+  CHECK(told_at(5.1, Phase::done) == 0);
+}
+
 }  // namespace
 }  // namespace furrow::sim
