@@ -311,7 +311,7 @@ void AgentNode::fly_home(Instant t) {
 }
 
 void AgentNode::go_home() {
-  follow(lay(aircraft_.estimate_m(), {}, aircraft_.altitude_m()));
+  follow(lay(aircraft_.estimate_m(), {}, metres(aircraft_.altitude_m())));
   phase_ = Phase::fly_back;
   stop_m_ = is_way_out_clear_ ? before_blockage_m(no_stop) : 0.0;
 }
@@ -340,7 +340,7 @@ void AgentNode::relicense() {
   if (route_->pieces.empty()) {  // hovers without a way: a new order came
     const auto rest = order_->rest_of_sortie();
     home_ = haven();
-    follow(lay(aircraft_.estimate_m(), rest, aircraft_.altitude_m()));
+    follow(lay(aircraft_.estimate_m(), rest, metres(aircraft_.altitude_m())));
   }
   stop_m_ = before_blockage_m(licensed_stop_m());
   if (phase_ == Phase::hold) end_hold();

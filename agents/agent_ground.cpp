@@ -209,7 +209,7 @@ bool AgentNode::go_elsewhere(Instant t) {
 void AgentNode::try_divert(Instant now) {
   const bool may_go = !settings_.airspace || may_take_off(now);
   if (!may_go && slot_.is_asked()) return;
-  SortieRoute route = lay(aircraft_.estimate_m(), {}, 0.0);
+  SortieRoute route = lay(aircraft_.estimate_m(), {});
   if (!may_go) return ask_to_take_off(route, now);
   diverts_ = false;
   take_off(std::move(route), ready_);
@@ -266,7 +266,7 @@ void AgentNode::try_take_off(Instant now) {
     return give_up(CloseReason::battery_low,
                    lack_.empty() ? cell + " is out of reach of one pack" : lack_, t);
   }
-  SortieRoute route = lay(aircraft_.estimate_m(), rest, 0.0);
+  SortieRoute route = lay(aircraft_.estimate_m(), rest);
   if (lacks_mix(route)) return give_up(CloseReason::tank_low, lack_, t);
   if (!may_go) return ask_to_take_off(route, now);
   take_off(std::move(route), t);

@@ -104,7 +104,8 @@ class AgentNode {
   double work_end_m() const;
   double claim_from_m() const;
   const planner::HeightRule& height_rule() const;
-  SortieRoute lay(Xy from_m, std::span<const Piece> pieces, double altitude_m) const;
+  SortieRoute lay(Xy from_m, std::span<const Piece> pieces,
+                  std::optional<Length> begins = {}) const;
 
   // agent_operator.cpp: what the operator lets it do.
   void obey(const OperatorState& state, Instant now);

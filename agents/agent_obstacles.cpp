@@ -54,7 +54,7 @@ void AgentNode::reroute(Instant t) {
   std::vector<Piece> pieces;
   pieces.reserve(route_->pieces.size());
   for (const PieceOnPath& p : route_->pieces) pieces.push_back(p.piece);
-  SortieRoute next = lay(laid_from_m_, pieces, laid_altitude_m_);
+  SortieRoute next = lay(laid_from_m_, pieces, metres(laid_altitude_m_));
   const bool is_same =
       next.path.length_m() == route_->path.length_m() && next.blocked_m == route_->blocked_m;
   if (is_same) return;

@@ -18,11 +18,13 @@ const planner::HeightRule& AgentNode::height_rule() const {
   return relief == nullptr ? settings_.airspace->climbs : relief->rule();
 }
 
-SortieRoute AgentNode::lay(Xy from_m, std::span<const Piece> pieces, double altitude_m) const {
-  SortieRoute route =
-      sortie_route(from_m, pieces, xy_m(home_.position), vehicle_, settings_.ferries, around_);
+SortieRoute AgentNode::lay(Xy from_m, std::span<const Piece> pieces,
+                           std::optional<Length> begins) const {
+  SortieRoute route = sortie_route(from_m, pieces, xy_m(home_.position), vehicle_,
+                                   settings_.ferries, around_, begins);
   if (settings_.airspace && settings_.ferries.relief() == nullptr) {
-    lift_ferries(route, settings_.airspace->layer, metres(altitude_m), vehicle_, height_rule());
+    lift_ferries(route, settings_.airspace->layer, begins.value_or(Length{}), vehicle_,
+                 height_rule());
   }
   return route;
 }

@@ -38,7 +38,7 @@ std::vector<sim::Violation> judged(const MissionRecord& record, const Flight& fl
 // What keeps a mission from exit code 0, in sentences.
 std::vector<std::string> shortcomings(const Result& result, const std::vector<Envelope>& log) {
   std::vector<std::string> all;
-  if (result.partial) all.push_back("the mission was broken off; the results are partial");
+  if (result.partial) all.emplace_back("the mission was broken off; the results are partial");
   if (!result.completed && result.survey) {
     all.push_back(fmt::format("the mission is not completed: {} of {} way points are not visited",
                               result.survey->way_points - result.survey->visited,

@@ -55,12 +55,13 @@ struct PieceLegs {
 class Laying {
  public:
   Laying(SortieRoute& route, Xy from_m, const Vehicle& vehicle, const planner::FerryMap& ferries,
-         const Surroundings& around)
+         const Surroundings& around, std::optional<Length> begins)
       : route_{route},
         vehicle_{vehicle},
         ferries_{ferries},
         relief_{ferries.relief()},
         around_{around},
+        begins_{begins},
         at_{field_point(from_m)} {}
 
   /// Each returns where along the legs it ends [m].
@@ -84,7 +85,7 @@ class Laying {
     way.insert(way.end(), piece.approach.begin(), piece.approach.end());
     way.push_back(piece.entry);
     if (relief_ != nullptr && planner::is_high(way)) {
-      return over(relief_->ferry(led_around(way), vehicle_), corner, Corner::held);
+      return over(relief_->ferry(led_around(way), vehicle_, begins()), corner, Corner::held);
     }
     for (const FieldPoint at : piece.approach) pass(at, vehicle_.ferry_speed, Corner::held);
     return work(piece.entry, speed, corner);
@@ -94,7 +95,7 @@ class Laying {
     const std::vector<FieldPoint> way = ferries_.ferry_way(at_, to, vehicle_);
     if (relief_ != nullptr) {
       const auto led = led_around(way);
-      return over(relief_->ferry(led, vehicle_), corner);
+      return over(relief_->ferry(led, vehicle_, begins()), corner);
     }
     for (std::size_t i = 1; i + 1 < way.size(); ++i) pass(way[i], speed, Corner::cut);
     return work(to, speed, corner);
@@ -106,6 +107,8 @@ class Laying {
   std::optional<double> blocked_leg_m() const { return blocked_leg_m_; }
 
  private:
+  std::optional<Length> begins() const { return leg_m_ > 0.0 ? std::nullopt : begins_; }
+
   /// A way point, unless an obstacle has come up there.
   void pass(FieldPoint at, Speed speed, Corner corner) {
     if (!around_.is_too_near(at)) work(at, speed, corner);
@@ -190,6 +193,7 @@ class Laying {
   const planner::FerryMap& ferries_;
   const planner::Relief* relief_;
   const Surroundings& around_;
+  std::optional<Length> begins_;
   FieldPoint at_;
   double leg_m_ = 0.0;
   std::optional<double> blocked_leg_m_{};
@@ -227,14 +231,15 @@ double SortieRoute::cell_m(std::size_t piece, std::uint32_t index) const {
 }
 
 SortieRoute sortie_route(Xy from_m, std::span<const Piece> pieces, Xy to_m, const Vehicle& v,
-                         const planner::FerryMap& ferries, const Surroundings& around) {
+                         const planner::FerryMap& ferries, const Surroundings& around,
+                         std::optional<Length> begins) {
   SortieRoute route{.path = Path{from_m,
                                  {.acceleration_mps2 = planned_acceleration_mps2(v),
                                   .corner_cut_m = 0.5 * v.swath.base(),
                                   .min_radius_m = v.min_turn_radius.base()}},
                     .pieces = {},
                     .spray_m = 0.0};
-  Laying lay{route, from_m, v, ferries, around};
+  Laying lay{route, from_m, v, ferries, around, begins};
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const Piece& piece = pieces[i];
     const bool to_its_end = !(piece.exit == piece.to);

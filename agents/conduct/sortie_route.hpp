@@ -65,8 +65,11 @@ struct SortieRoute {
 /// heights as all others do, but for approaches that name heights of their own, which stay as they
 /// are. Where there is no way around, the route is blocked 0.5 m before the clearance. It is the
 /// same route up to the first leg that an obstacle learnt since changes.
+///
+/// @param begins  Altitude of an aircraft that is in the air already, over terrain.
 SortieRoute sortie_route(Xy from_m, std::span<const Piece> pieces, Xy to_m, const Vehicle& vehicle,
-                         const planner::FerryMap& ferries, const Surroundings& around);
+                         const planner::FerryMap& ferries, const Surroundings& around,
+                         std::optional<Length> begins = {});
 
 /// Lifts the ferries of a route over level land to `layer`, and so the ways between its pieces that
 /// are longer than 20 m, but for a survey's. They climb out and come down on the way at ferry

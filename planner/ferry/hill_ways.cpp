@@ -44,6 +44,7 @@ std::vector<FieldPoint> bends(std::vector<WayPoint> curve) {
     if (kept.size() <= most_points) break;
   }
   std::vector<FieldPoint> made;
+  made.reserve(kept.size());
   for (const WayPoint p : kept) made.push_back(at_m(p.x_m, p.y_m));
   return made;
 }

@@ -81,14 +81,16 @@ AirWay Relief::straight(std::span<const WayPoint> way, Speed speed) const {
   return made;
 }
 
-AirWay Relief::ferry(std::span<const WayPoint> way, Speed speed, Length layer) const {
+AirWay Relief::ferry(std::span<const WayPoint> way, Speed speed, Length layer,
+                     std::optional<Length> begins) const {
   require(way.size() >= 2, "a ferry has two ends");
   double left_m = 0;
   for (std::size_t k = 1; k < way.size(); ++k) {
     left_m += std::hypot(way[k].x_m - way[k - 1].x_m, way[k].y_m - way[k - 1].y_m);
   }
   const auto place = [](WayPoint p) { return at_m(p.x_m, p.y_m); };
-  const double leaves_m = work_altitude_m(place(way.front()));
+  const double work_m = work_altitude_m(place(way.front()));
+  const double leaves_m = begins ? std::max(work_m, begins->base()) : work_m;
   const double arrives_m = work_altitude_m(place(way.back()));
   const double up = rule_.climb / speed, down = rule_.descent / speed;
   AirWay made{leaves_m, {}};
@@ -135,7 +137,8 @@ std::vector<WayPoint> Relief::samples(std::span<const FieldPoint> way) const {
   return made;
 }
 
-AirWay Relief::ferry(std::span<const FieldPoint> way, Speed speed, Length layer) const {
+AirWay Relief::ferry(std::span<const FieldPoint> way, Speed speed, Length layer,
+                     std::optional<Length> begins) const {
   require(way.size() >= 2, "a ferry has two ends");
   std::vector<WayPoint> over = samples(way);
   const double up = rule_.climb / speed, down = rule_.descent / speed;
@@ -148,7 +151,7 @@ AirWay Relief::ferry(std::span<const FieldPoint> way, Speed speed, Length layer)
   for (std::size_t k = 1; k < over.size(); ++k) {
     over[k].z_m = std::max(over[k].z_m, over[k - 1].z_m - down * run_m(over[k - 1], over[k]));
   }
-  AirWay made = ferry(std::span<const WayPoint>{over}, speed, layer);
+  AirWay made = ferry(std::span<const WayPoint>{over}, speed, layer, begins);
   std::size_t next = 1;
   for (AirLeg& leg : made.legs) {
     leg.bends = next < way.size() && leg.to == way[next];

@@ -78,17 +78,22 @@ class Relief {
 
   /// A ferry along `way`, from work height to work height. It climbs out and comes down as steeply
   /// as `speed` allows, keeps `layer` above the way in between, and is never under work height.
-  /// @param way  From where it starts to where it ends, two or more.
-  AirWay ferry(std::span<const WayPoint> way, Speed speed, Length layer) const;
+  /// @param way     From where it starts to where it ends, two or more.
+  /// @param begins  Altitude of an aircraft that is in the air already; below work height it counts
+  ///                for work height.
+  AirWay ferry(std::span<const WayPoint> way, Speed speed, Length layer,
+               std::optional<Length> begins = {}) const;
 
   /// The lowest ferry along `way` that keeps the clearance wherever it has climbed out and not yet
   /// begun to come down, without climbing or descending faster than the rule says at `speed`.
   /// @param way  In plan, from where it starts to where it ends, two or more.
-  AirWay ferry(std::span<const FieldPoint> way, Speed speed, Length layer) const;
+  AirWay ferry(std::span<const FieldPoint> way, Speed speed, Length layer,
+               std::optional<Length> begins = {}) const;
 
   /// That of `vehicle` in its layer.
-  AirWay ferry(std::span<const FieldPoint> way, const Vehicle& vehicle) const {
-    return ferry(way, vehicle.ferry_speed, layer_of(vehicle.id));
+  AirWay ferry(std::span<const FieldPoint> way, const Vehicle& vehicle,
+               std::optional<Length> begins = {}) const {
+    return ferry(way, vehicle.ferry_speed, layer_of(vehicle.id), begins);
   }
 
   /// The highest that any ferry flies.

@@ -165,6 +165,17 @@ TEST_CASE("over a slope a ferry is led around a tree at the clearance of ferries
   CHECK(route.heights.altitude_m(0.5 * route.path.length_m()) >= 0.1 * 49 + 15 - 0.05);
 }
 
+TEST_CASE("over a slope a ferry laid in the air begins at the height of the aircraft") {
+  const auto first_m = [](std::optional<Length> begins) {
+    return sortie_route({0, 0}, {}, {0, 98}, sprayer(), slope(), alley(20), begins)
+        .heights.altitude_m(0.0);
+  };
+  CHECK(first_m(metres(20)) == Approx(20));
+  // The ground is at 0 m there and work 3 m above it: from the ground, or from too low.
+  CHECK(first_m({}) == Approx(3));
+  CHECK(first_m(metres(1)) == Approx(3));
+}
+
 TEST_CASE("no corner is cut that an obstacle is near to") {
   // From (0, 0) by (0, 50), past a tree inside the corner, to (40, 50): 4.1 m from both legs.
   Piece corner = strip();

@@ -70,6 +70,24 @@ TEST_CASE("A ferry climbs out and comes down at full speed and keeps its layer b
   }
 }
 
+TEST_CASE("A ferry that begins in the air comes down to its layer or goes on climbing") {
+  const Relief relief{Surface::level(metres(100)), rule, {}};
+  const std::vector<FieldPoint> way{at_m(0, 0), at_m(400, 0)};
+  const auto altitude_m = [&](double begins_m, double x_m) {
+    const AirWay air = relief.ferry(way, metres_per_second(6), {}, metres(begins_m));
+    double last_m = air.altitude_m;
+    for (const AirLeg& leg : air.legs) {
+      if (leg.to.x.base() <= x_m + 1e-6) last_m = leg.altitude_m;
+    }
+    return last_m;
+  };
+  CHECK(altitude_m(110, 0) == Approx(110));
+  CHECK(altitude_m(110, 20) == Approx(115));  // 3 m/s up at 6 m/s: 10 m more, but 115 m is kept
+  CHECK(altitude_m(125, 0) == Approx(125));
+  CHECK(altitude_m(125, 200) == Approx(115));
+  CHECK(altitude_m(90, 0) == Approx(103));
+}
+
 TEST_CASE("No ferry is under work height, whatever its way says") {
   const AnalyticTerrain hill{.base = {},
                              .peaks = {{at_m(200, 0), metres(60), metres(80), metres(80)}}};
