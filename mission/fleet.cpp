@@ -140,7 +140,11 @@ scheduler::FleetProblem fleet_problem(const Scenario& scenario) {
   }
   std::vector<Vehicle> present, joining;
   for (const Vehicle& uav : scenario.uavs) {
-    (birth(scenario, node(uav.id)) > Instant{} ? joining : present).push_back(uav);
+    const Instant born = birth(scenario, node(uav.id));
+    (born > Instant{} ? joining : present).push_back(uav);
+    if (born == Instant{}) continue;
+    Seconds& from = joining.back().available_from;
+    from = std::max(from, seconds(born.time_since_epoch()));
   }
   return {.field = scenario.field,
           .coverage = coverage,

@@ -52,7 +52,7 @@ Draft with_best_stations(const Desk& desk, std::vector<Share> shares) {
   for (std::size_t u = 0; u < shares.size(); ++u) {
     itineraries.push_back(rough_itinerary(desk, u, shares[u]));
   }
-  Forecast best = forecast(itineraries, desk.stations);
+  FleetEnds fleet{std::move(itineraries), desk.stations};
   for (std::size_t u = 0; u < shares.size(); ++u) {
     if (shares[u].strips.count == 0) continue;
     const std::uint32_t first = desk.route.strips[shares[u].strips.first].cells.first;
@@ -61,17 +61,12 @@ Draft with_best_stations(const Desk& desk, std::vector<Share> shares) {
       Share moved = shares[u];
       moved.station = s;
       Itinerary other = rough_itinerary(desk, u, moved);
-      std::swap(itineraries[u], other);
-      Forecast changed = forecast(itineraries, desk.stations);
-      if (worth(changed) < worth(best)) {
-        best = std::move(changed);
-        shares[u] = moved;
-      } else {
-        std::swap(itineraries[u], other);
-      }
+      if (worth(fleet.with(u, other)) >= worth(fleet.spray_ends_s())) continue;
+      fleet.change(u, std::move(other));
+      shares[u] = moved;
     }
   }
-  return {std::move(shares), std::move(best)};
+  return {std::move(shares), forecast(fleet.itineraries(), desk.stations)};
 }
 
 }  // namespace

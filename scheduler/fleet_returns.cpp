@@ -6,6 +6,9 @@
 #include "planner/returns/unplanned.hpp"
 
 #include <algorithm>
+#include <numeric>
+#include <optional>
+#include <tuple>
 
 namespace furrow::scheduler {
 namespace {
@@ -48,8 +51,9 @@ class Search {
         current_.push_back(std::move(*solved));
       }
     }
-    flown_ = itineraries(current_);
-    best_ = {current_, forecast(flown_, stations_)};
+    flown_.emplace(itineraries(current_), stations_);
+    best_ = current_;
+    best_worth_ = worth(flown_->spray_ends_s());
     return std::nullopt;
   }
 
@@ -65,7 +69,12 @@ class Search {
       solutions[u].objective_s = plan->non_spray_s;
       solutions[u].proven = plan->non_spray_s <= solutions[u].lower_bound_s;
     }
-    consider(solutions, itineraries(solutions));
+    const auto seen = worth(forecast(itineraries(solutions), stations_));
+    if (seen >= best_worth_) return;
+    best_ = std::move(solutions);
+    best_worth_ = seen;
+    since_best_.resize(tasks_.size());
+    std::iota(since_best_.begin(), since_best_.end(), std::size_t{0});
   }
 
   /// Lets every aircraft in turn answer what the others do.
@@ -76,7 +85,10 @@ class Search {
   }
 
   std::size_t flying() const { return flying_; }
-  FleetReturns best() && { return std::move(best_); }
+  FleetReturns best() && {
+    Forecast seen = forecast(itineraries(best_), stations_);
+    return {std::move(best_), std::move(seen)};
+  }
 
  private:
   planner::SolveSettings settings_for(AgentId agent, std::uint32_t round) const {
@@ -96,19 +108,14 @@ class Search {
     return all;
   }
 
-  void consider(const std::vector<Solution>& solutions, const std::vector<Itinerary>& flown) {
-    Forecast seen = forecast(flown, stations_);
-    if (worth(seen) < worth(best_.forecast)) best_ = {solutions, std::move(seen)};
-  }
-
   void respond(std::size_t u, std::uint32_t round) {
     const std::uint32_t station = tasks_[u].station;
     std::vector<Itinerary> here;
     std::size_t index = 0;
-    for (std::size_t other = 0; other < flown_.size(); ++other) {
+    for (std::size_t other = 0; other < tasks_.size(); ++other) {
       if (tasks_[other].station != station) continue;
       if (other == u) index = here.size();
-      here.push_back(flown_[other]);
+      here.push_back(flown_->itineraries()[other]);
     }
     QueueClock clock{stations_[station].bays, std::move(here)};
     const double without_s = clock.queue_wait_without_s(index);
@@ -120,8 +127,13 @@ class Search {
         planner::solve(*tasks_[u].problem, settings_for(tasks_[u].agent, round), added_wait_s);
     if (!answer || answer->objective_s >= now_s) return;
     current_[u] = std::move(*answer);
-    flown_[u] = itinerary_of(tasks_[u], current_[u].plan);
-    consider(current_, flown_);
+    flown_->change(u, itinerary_of(tasks_[u], current_[u].plan));
+    since_best_.push_back(u);
+    const auto seen = worth(flown_->spray_ends_s());
+    if (seen >= best_worth_) return;
+    for (const std::size_t i : since_best_) best_[i] = current_[i];
+    since_best_.clear();
+    best_worth_ = seen;
   }
 
   const std::vector<FleetTask>& tasks_;
@@ -129,8 +141,10 @@ class Search {
   planner::SolveSettings settings_;
   std::size_t flying_ = 0;
   std::vector<Solution> current_{};
-  std::vector<Itinerary> flown_{};  ///< Of the current solutions.
-  FleetReturns best_{};
+  std::optional<FleetEnds> flown_{};  ///< By the current solutions.
+  std::vector<Solution> best_{};
+  std::tuple<double, double> best_worth_{};
+  std::vector<std::size_t> since_best_{};  ///< Whose current solution may not be the best's.
 };
 
 }  // namespace

@@ -104,9 +104,13 @@ bool is_in_time(std::span<const Vehicle> fleet, const Forecast& forecast) {
   return true;
 }
 
-std::tuple<double, double> worth(const Forecast& f) {
-  return {f.makespan_s, std::accumulate(f.spray_ends_s.begin(), f.spray_ends_s.end(), 0.0)};
+std::tuple<double, double> worth(std::span<const double> spray_ends_s) {
+  double makespan_s = 0.0;
+  for (const double s : spray_ends_s) makespan_s = std::max(makespan_s, s);
+  return {makespan_s, std::accumulate(spray_ends_s.begin(), spray_ends_s.end(), 0.0)};
 }
+
+std::tuple<double, double> worth(const Forecast& f) { return worth(f.spray_ends_s); }
 
 Forecast forecast(std::span<const Itinerary> itineraries, std::span<const Station> stations) {
   const std::size_t count = itineraries.size();
@@ -133,6 +137,35 @@ Forecast forecast(std::span<const Itinerary> itineraries, std::span<const Statio
     f.makespan_s = std::max(f.makespan_s, f.spray_ends_s[i]);
   }
   return f;
+}
+
+FleetEnds::FleetEnds(std::vector<Itinerary> itineraries, std::span<const Station> stations)
+    : itineraries_{std::move(itineraries)},
+      stations_{stations},
+      ends_s_{forecast(itineraries_, stations_).spray_ends_s} {}
+
+std::vector<double> FleetEnds::with(std::size_t index, const Itinerary& other) const {
+  const auto meets = [](const Itinerary& a, const Itinerary& b) {
+    return !a.stations.empty() && !b.stations.empty() && a.stations[0] == b.stations[0];
+  };
+  std::vector<std::size_t> who;
+  std::vector<Itinerary> queued;
+  for (std::size_t i = 0; i < itineraries_.size(); ++i) {
+    if (i != index && !meets(itineraries_[i], itineraries_[index]) &&
+        !meets(itineraries_[i], other))
+      continue;
+    who.push_back(i);
+    queued.push_back(i == index ? other : itineraries_[i]);
+  }
+  const Forecast again = forecast(queued, stations_);
+  std::vector<double> ends_s = ends_s_;
+  for (std::size_t i = 0; i < who.size(); ++i) ends_s[who[i]] = again.spray_ends_s[i];
+  return ends_s;
+}
+
+void FleetEnds::change(std::size_t index, Itinerary other) {
+  ends_s_ = with(index, other);
+  itineraries_[index] = std::move(other);
 }
 
 QueueClock::QueueClock(std::uint32_t bays, std::vector<Itinerary> itineraries)

@@ -53,12 +53,34 @@ bool is_in_time(std::span<const Vehicle> fleet, const Forecast& forecast);
 
 /// What missions are compared by: the makespan, then the sum of all finishes.
 std::tuple<double, double> worth(const Forecast& forecast);
+/// @param spray_ends_s  By aircraft.
+std::tuple<double, double> worth(std::span<const double> spray_ends_s);
 
 /// Flies all itineraries, each from its begin. Each station serves first come first served, those
 /// who come at the same instant by agent id, in the lowest free bay.
 ///
 /// Time O(visits * (log itineraries + bays)).
 Forecast forecast(std::span<const Itinerary> itineraries, std::span<const Station> stations);
+
+/// When each of a fleet is done, changed one by one. Each aircraft keeps to one station, so only
+/// the queues that it leaves and joins are flown again.
+class FleetEnds {
+ public:
+  FleetEnds(std::vector<Itinerary> itineraries, std::span<const Station> stations);
+
+  /// By itinerary: mission times of the last sprayed cells; 0 for those that do not fly.
+  const std::vector<double>& spray_ends_s() const { return ends_s_; }
+  const std::vector<Itinerary>& itineraries() const { return itineraries_; }
+
+  /// The same with `other` in place of itinerary `index`.
+  std::vector<double> with(std::size_t index, const Itinerary& other) const;
+  void change(std::size_t index, Itinerary other);
+
+ private:
+  std::vector<Itinerary> itineraries_;
+  std::span<const Station> stations_;
+  std::vector<double> ends_s_;
+};
 
 /// The same for aircraft that all use one station, without keeping the visits: for the inside of an
 /// optimisation, where it is asked for a hundred thousand times.

@@ -50,6 +50,7 @@ double mean_ferry_mps(std::span<const Vehicle> vehicles) {
 /// A flier as bounds may take it.
 fleet::Flier fastest_flier(const Vehicle& v) {
   fleet::Flier f = flier(v);
+  if (v.available_until) f.until_s = v.available_until->base();
   f.ferry_mps = std::max(f.ferry_mps, f.spray_mps);
   return f;
 }
@@ -208,14 +209,18 @@ MakespanBound fleet_bound(const planner::Route& route, std::span<const Vehicle> 
       .slots = 60, .evaluations = 150, .fine_slots = 120, .fine_evaluations = 50};
   const BoundModel model = bound_strips(route, vehicles);
   if (model.strips.empty()) return {0.0, {}};
-  const fleet::FleetProblem problem = bound_problem(model, vehicles, stations);
-  const fleet::LowerBound bound = fleet::best_bound(problem, quick);
+  fleet::FleetProblem problem = bound_problem(model, vehicles, stations);
   double slowest_mps = std::numeric_limits<double>::infinity();
   double begins_s = std::numeric_limits<double>::infinity();
   for (const fleet::Flier& f : problem.fliers) {
     slowest_mps = std::min(slowest_mps, f.ferry_mps);
     begins_s = std::min(begins_s, f.ready_s);
   }
+  for (fleet::Flier& f : problem.fliers) {
+    f.ready_s -= begins_s;
+    f.until_s -= begins_s;
+  }
+  const fleet::LowerBound bound = fleet::best_bound(problem, quick);
   return {begins_s + std::max(0.0, bound.makespan_s - model.spared_m / slowest_mps),
           std::string{bound.name}};
 }

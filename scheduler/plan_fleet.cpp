@@ -240,7 +240,7 @@ Expected<Solved, PlanError> best_solved(const FleetProblem& problem, const Sketc
   return best;
 }
 
-/// Those who come late count as if they were there from the start. On surveys, whose strips have
+/// Those who come late count from then on. On surveys, whose strips have
 /// no length, of contiguous shares only. An aircraft alone with one station has its solver's bound
 /// besides.
 MakespanBound lower_bound(const FleetProblem& problem, const Sketch& s,

@@ -1,8 +1,6 @@
 // What it costs to judge one curve of 101 samples by 7 inner way points, scattered over the whole
-// scene as at the start of a search, and along the straight line as at its end; and a map of ways
-// to all cells of a field.
+// scene as at the start of a search, and along the straight line as at its end.
 #include "planner/routes/population.hpp"
-#include "planner/routes/reach_map.hpp"
 #include "tests/planner/routes/hills.hpp"
 
 #include <benchmark/benchmark.h>
@@ -56,13 +54,6 @@ void raster_4000(benchmark::State& state, bool scatter) {
 }
 BENCHMARK_CAPTURE(raster_4000, scattered, true);
 BENCHMARK_CAPTURE(raster_4000, along, false);
-
-void reach_of_10000_cells(benchmark::State& state) {
-  const Scene scene = hills::scene(3, 4);
-  const AirSpeeds speeds{.level_mps = 10, .climb_mps = 3, .descent_mps = 2};
-  for (auto _ : state) benchmark::DoNotOptimize(ReachMap{scene, speeds, 100, 100, 10}.cells());
-}
-BENCHMARK(reach_of_10000_cells)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace furrow::planner

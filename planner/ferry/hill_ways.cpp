@@ -12,14 +12,15 @@
 namespace furrow::planner {
 namespace {
 
-constexpr double anchor_pitch_m = 50;
+constexpr double anchor_pitch_m = 100, square_m = 20;
 constexpr double at_stand_m = 3;    // a way begins where an aircraft has come to stand
 constexpr double least_gain_s = 2;  // there and back, for which a way is left
 constexpr double room_share = 0.6;  // of the distance, on each side of it
 constexpr double room_m = 60;       // and on each side besides
 constexpr double headroom_m = 60;   // over the highest ground where there is no ceiling
 constexpr double spare_m = 1;       // stand and anchor are so far above the least height
-constexpr double first_step_m = 16, last_step_m = 2;
+constexpr double first_step_m = 16, last_step_m = 4;
+constexpr int most_moves = 3;               // of one point one way, of each length
 constexpr std::size_t most_points = 3;      // that a way leads past
 constexpr std::size_t most_ways = 200'000;  // kept
 
@@ -29,10 +30,10 @@ double length_m(std::span<const FieldPoint> way) {
   return sum_m;
 }
 
-// No way takes less time than the shortest in plan where slopes do not slow it down.
-bool is_quickest(double over_m, double both_s, double length_m, const Vehicle& v) {
-  constexpr double rounding = 1 + 1e-9;
-  return over_m == 0 && both_s <= rounding * 2 * length_m / v.ferry_speed.base();
+// Straight from point to point.
+double chain_m(FieldPoint from, std::span<const FieldPoint> points, FieldPoint to) {
+  return distance(from, points.front()).base() + length_m(points) +
+         distance(points.back(), to).base();
 }
 
 // Few enough of those that a curve bends at, in plan.
@@ -56,7 +57,12 @@ HillWays::HillWays(FerryMap land, std::shared_ptr<const Relief> relief, const Ro
     : land_{std::move(land)},
       relief_{std::move(relief)},
       search_{search},
-      stands_{stands.begin(), stands.end()} {}
+      stands_{stands.begin(), stands.end()},
+      highest_m_{relief_->highest_ferry_m()},
+      may_be_over_{relief_->rule().ceiling && highest_m_ > relief_->rule().ceiling->base()} {
+  const std::vector<float>& ground = relief_->surface().raster().heights_m;
+  lowest_m_ = *std::min_element(ground.begin(), ground.end());
+}
 
 std::size_t HillWays::stand_at(FieldPoint place) const {
   const auto near = std::find_if(stands_.begin(), stands_.end(), [&](FieldPoint stand) {
@@ -75,15 +81,19 @@ HillWays::Goal HillWays::goal(std::size_t stand, FieldPoint to, const Vehicle& v
 
 std::vector<FieldPoint> HillWays::way(FieldPoint from, FieldPoint to, const Vehicle& v) const {
   if (const std::size_t stand = stand_at(from); stand < stands_.size()) {
-    return past(from, points(stand, to, v), to);
+    return out(from, stand, to, v);
   }
   const std::size_t stand = stand_at(to);
-  if (stand == stands_.size()) return land_.way(from, to);
-  const Places& back = points(stand, from, v);
-  if (back.empty()) return land_.way(from, to);
-  Places way = past(to, back, from);
+  if (stand == stands_.size() || found(stand, from, v).points.empty()) return land_.way(from, to);
+  Places way = out(to, stand, from, v);
   std::reverse(way.begin(), way.end());
   return way;
+}
+
+HillWays::Places HillWays::out(FieldPoint from, std::size_t stand, FieldPoint to,
+                               const Vehicle& v) const {
+  const Found& known = found(stand, to, v);
+  return from == stands_[stand] && !known.points.empty() ? known.way : past(from, known.points, to);
 }
 
 // Over the land from one to the next.
@@ -120,55 +130,91 @@ HillWays::RoundTrip HillWays::flown(const Places& way, const Vehicle& v) const {
   return trip;
 }
 
-const HillWays::Places& HillWays::points(std::size_t stand, FieldPoint to, const Vehicle& v) const {
+const HillWays::Found& HillWays::found(std::size_t stand, FieldPoint to, const Vehicle& v) const {
   const Goal key = goal(stand, to, v);
-  if (const auto known = points_.find(key); known != points_.end()) return known->second;
-  if (points_.size() >= most_ways) points_.clear();
-  return points_.emplace(key, best_points(stand, to, v)).first->second;
+  if (const auto known = found_.find(key); known != found_.end()) return known->second;
+  if (found_.size() >= most_ways) found_.clear();
+  return found_.emplace(key, best(stand, to, v)).first->second;
 }
 
-HillWays::Places HillWays::best_points(std::size_t stand, FieldPoint to, const Vehicle& v) const {
+// Chosen for the middle of a square; taken where it serves the place itself.
+HillWays::Found HillWays::best(std::size_t stand, FieldPoint to, const Vehicle& v) const {
+  const Places& points = squared(stand, to, v);
+  if (points.empty() && !may_be_over_) return {};
+  std::vector<Choice> one;
+  if (!points.empty()) one.push_back(choice(stand, points, to));
+  Found made = chosen(stand, to, std::move(one), v);
+  if (made.over_m > 0) made = chosen(stand, to, choices(stand, to, v), v);
+  return made;
+}
+
+const HillWays::Places& HillWays::squared(std::size_t stand, FieldPoint to,
+                                          const Vehicle& v) const {
+  const auto middle = [](double at_m) { return (std::floor(at_m / square_m) + 0.5) * square_m; };
+  const FieldPoint place = at_m(middle(to.x.base()), middle(to.y.base()));
+  const auto [known, is_new] = squared_.try_emplace(goal(stand, place, v));
+  if (is_new && !is_quick(stand, place, v)) {
+    known->second = chosen(stand, place, choices(stand, place, v), v).points;
+  }
+  return known->second;
+}
+
+// The first that is best; none of `choices` where the shortest is.
+HillWays::Found HillWays::chosen(std::size_t stand, FieldPoint to, std::vector<Choice> choices,
+                                 const Vehicle& v) const {
   const FieldPoint from = stands_[stand];
-  const Places shortest = land_.way(from, to);
-  const RoundTrip base = flown(shortest, v);
-  if (is_quickest(base.over_m, base.out_s + base.back_s, length_m(shortest), v)) return {};
-  Places best;
+  const RoundTrip base = flown(land_.way(from, to), v);
+  Found made{.points = {}, .way = {}, .over_m = base.over_m};
   RoundTrip least = base;
-  for (Places& choice : choices(stand, to, v)) {
-    const double level_s = 2 * length_m(past(from, choice, to)) / v.ferry_speed.base();
-    if (least.over_m == 0 && level_s >= least.both_s()) continue;
-    const RoundTrip trip = flown(past(from, choice, to), v);
+  for (Choice& choice : choices) {
+    const double gain_s = made.points.empty() ? least_gain_s : 0;
+    const double level_s = 2 * choice.least_m / v.ferry_speed.base();
+    if (least.over_m == 0 && level_s >= least.both_s() - gain_s) break;
+    Places way = past(from, choice.points, to);
+    const RoundTrip trip = flown(way, v);
     const bool is_slower = trip.out_s + trip.turns_s > base.out_s + base.turns_s ||
                            trip.back_s + trip.turns_s > base.back_s + base.turns_s;
     if (base.over_m == 0 && is_slower) continue;
-    const double gain_s = best.empty() ? least_gain_s : 0;
-    const bool is_better = trip.over_m != least.over_m ? trip.over_m < least.over_m
-                                                       : trip.both_s() < least.both_s() - gain_s;
-    if (!is_better) continue;
-    best = std::move(choice);
+    if (!trip.beats(least, gain_s)) continue;
+    made = {std::move(choice.points), std::move(way), trip.over_m};
     least = trip;
   }
-  return best;
+  return made;
 }
 
-// Past the points of the ways to the anchors around a place, and past all but their last.
-std::vector<HillWays::Places> HillWays::choices(std::size_t stand, FieldPoint to,
+// Whether no way is quicker than the shortest.
+bool HillWays::is_quick(std::size_t stand, FieldPoint to, const Vehicle& v) const {
+  constexpr double rounding = 1 + 1e-9;
+  const Places shortest = land_.way(stands_[stand], to);
+  const RoundTrip trip = flown(shortest, v);
+  const double level_s = 2 * length_m(shortest) / v.ferry_speed.base();
+  return trip.over_m == 0 && trip.out_s + trip.back_s <= rounding * level_s;
+}
+
+HillWays::Choice HillWays::choice(std::size_t stand, Places points, FieldPoint to) const {
+  const double least_m = chain_m(stands_[stand], points, to);
+  return {std::move(points), least_m};
+}
+
+// Past the points of the ways to the anchors around a place, and past all but
+// their last; shortest first.
+std::vector<HillWays::Choice> HillWays::choices(std::size_t stand, FieldPoint to,
                                                 const Vehicle& v) const {
-  std::vector<Places> made;
-  const auto add = [&](Places points) {
-    if (points.empty() || std::find(made.begin(), made.end(), points) != made.end()) return;
-    made.push_back(std::move(points));
-  };
+  std::vector<Choice> made;
   const double i = std::floor(to.x.base() / anchor_pitch_m);
   const double j = std::floor(to.y.base() / anchor_pitch_m);
   for (const double di : {0.0, 1.0}) {
     for (const double dj : {0.0, 1.0}) {
       const FieldPoint anchor = at_m((i + di) * anchor_pitch_m, (j + dj) * anchor_pitch_m);
       const Places& points = anchored(stand, anchor, v);
-      add(points);
-      if (points.size() > 1) add({points.begin(), points.end() - 1});
+      if (!points.empty()) made.push_back(choice(stand, points, to));
+      if (points.size() > 1) {
+        made.push_back(choice(stand, {points.begin(), points.end() - 1}, to));
+      }
     }
   }
+  std::stable_sort(made.begin(), made.end(),
+                   [](const Choice& a, const Choice& b) { return a.least_m < b.least_m; });
   return made;
 }
 
@@ -181,9 +227,7 @@ const HillWays::Places& HillWays::anchored(std::size_t stand, FieldPoint anchor,
 
 HillWays::Places HillWays::searched(std::size_t stand, FieldPoint anchor, const Vehicle& v) const {
   const FieldPoint from = stands_[stand];
-  const Places shortest = land_.way(from, anchor);
-  const RoundTrip base = flown(shortest, v);
-  if (is_quickest(base.over_m, base.out_s + base.back_s, length_m(shortest), v)) return {};
+  if (is_quick(stand, anchor, v)) return {};
   const Scene air = scene(from, anchor, v);
   RouteSettings settings = search_;
   settings.seed =
@@ -202,11 +246,10 @@ HillWays::Places HillWays::settled(FieldPoint stand, Places points, FieldPoint t
   const auto improves = [&](FieldPoint& point, FieldVector step) {
     const FieldPoint before = point;
     point = before + step;
-    if (land_.is_open(point)) {
+    const double least_s = 2 * chain_m(stand, points, to) / v.ferry_speed.base();
+    if ((least.over_m > 0 || least_s < least.both_s()) && land_.is_open(point)) {
       const RoundTrip trip = flown(past(stand, points, to), v);
-      const bool is_better =
-          trip.over_m != least.over_m ? trip.over_m < least.over_m : trip.both_s() < least.both_s();
-      if (is_better) {
+      if (trip.beats(least, 0)) {
         least = trip;
         return true;
       }
@@ -219,7 +262,8 @@ HillWays::Places HillWays::settled(FieldPoint stand, Places points, FieldPoint t
     for (FieldPoint& point : points) {
       for (const FieldVector move : {FieldVector{step, none}, FieldVector{-step, none},
                                      FieldVector{none, step}, FieldVector{none, -step}}) {
-        for (int times = 0; times < 4 && improves(point, move); ++times) {
+        for (int times = 0; times < most_moves; ++times) {
+          if (!improves(point, move)) break;
         }
       }
     }
@@ -232,16 +276,14 @@ Scene HillWays::scene(FieldPoint stand, FieldPoint to, const Vehicle& v) const {
   const double room = room_share * distance(stand, to).base() + room_m;
   const auto [least_x, most_x] = std::minmax({stand.x.base(), to.x.base()});
   const auto [least_y, most_y] = std::minmax({stand.y.base(), to.y.base()});
-  const std::vector<float>& ground = relief_->surface().raster().heights_m;
-  Scene made{
-      .surface = relief_->surface(),
-      .low = {least_x - room, least_y - room, *std::min_element(ground.begin(), ground.end())},
-      .high = {most_x + room, most_y + room, relief_->highest_ferry_m() + headroom_m},
-      .keep_out = relief_->keep_out(),
-      .clearance_m = rule.clearance.base(),
-      .start = {},
-      .goal = {},
-      .steepest_climb = (std::min(rule.climb, rule.descent) / v.ferry_speed)};
+  Scene made{.surface = relief_->surface(),
+             .low = {least_x - room, least_y - room, lowest_m_},
+             .high = {most_x + room, most_y + room, highest_m_ + headroom_m},
+             .keep_out = relief_->keep_out(),
+             .clearance_m = rule.clearance.base(),
+             .start = {},
+             .goal = {},
+             .steepest_climb = (std::min(rule.climb, rule.descent) / v.ferry_speed)};
   if (rule.ceiling) {
     const Length most = *rule.ceiling - (rule.layers - 1.0) * rule.layer;
     made.high.z_m = std::max(most.base(), made.low.z_m + 1);

@@ -19,7 +19,8 @@ struct Kind {
   double count;
 };
 
-std::vector<Kind> kinds_of(const FleetProblem& problem) {
+/// @param of  By flier: its kind; filled in.
+std::vector<Kind> kinds_of(const FleetProblem& problem, std::vector<std::size_t>& of) {
   double depot_s = infinite;
   for (const Depot& d : problem.depots) depot_s = std::min(depot_s, d.service_s);
   std::vector<Kind> kinds;
@@ -29,6 +30,7 @@ std::vector<Kind> kinds_of(const FleetProblem& problem) {
                  std::tie(f.tank_m, f.spray_mps, f.ferry_mps) &&
              k.service_s == depot_s + f.service_s;
     });
+    of.push_back(static_cast<std::size_t>(known - kinds.begin()));
     if (known != kinds.end()) {
       known->count += 1.0;
     } else {
@@ -179,16 +181,47 @@ std::vector<double> best_weights(const std::vector<Cut>& cuts, const std::vector
   return best;
 }
 
+/// When fliers have that much work behind them that is to be done by weights, each within its
+/// window; where they never have, when they would without windows.
+double done_s(const FleetProblem& problem, const std::vector<std::size_t>& kind_of,
+              const std::vector<double>& weights, double work_s) {
+  const auto by_s = [&](double at_s) {
+    double done_s = 0.0;
+    for (std::size_t u = 0; u < kind_of.size(); ++u) {
+      const Flier& f = problem.fliers[u];
+      done_s += weights[kind_of[u]] * std::max(0.0, std::min(at_s, f.until_s) - f.ready_s);
+    }
+    return done_s;
+  };
+  const bool are_free =
+      std::all_of(problem.fliers.begin(), problem.fliers.end(),
+                  [](const Flier& f) { return f.ready_s == 0.0 && f.until_s == infinite; });
+  if (are_free) return work_s;
+  double low_s = work_s, high_s = work_s;
+  for (int doublings = 0; by_s(high_s) < work_s; ++doublings) {
+    if (doublings == 40) return work_s;
+    low_s = high_s;
+    high_s *= 2.0;
+  }
+  while (high_s - low_s > 1e-3) {
+    const double middle_s = 0.5 * (low_s + high_s);
+    (by_s(middle_s) < work_s ? low_s : high_s) = middle_s;
+  }
+  return low_s;
+}
+
 }  // namespace
 
 double kinds_bound_s(const FleetProblem& problem, double cell_m) {
   constexpr double coarser = 8.0;
-  const std::vector<Kind> kinds = kinds_of(problem);
+  std::vector<std::size_t> kind_of;
+  const std::vector<Kind> kinds = kinds_of(problem, kind_of);
   double fill_s = infinite;
   for (const Depot& d : problem.depots) fill_s = std::min(fill_s, d.fill_s);
   const Cuts coarse{problem, coarser * cell_m};
   const std::vector<double> weights = best_weights(coarse.all(), kinds, fill_s);
-  return split_s(Cuts{problem, cell_m}.all(), kinds, weights, fill_s);
+  const double work_s = split_s(Cuts{problem, cell_m}.all(), kinds, weights, fill_s);
+  return done_s(problem, kind_of, weights, work_s);
 }
 
 }  // namespace furrow::planner::fleet

@@ -13,7 +13,8 @@ namespace furrow::planner::fleet {
 ///     sum over sorties of  w_k (spraying / v_k + ferries / f_k + service + filling)
 ///       - sum over k of  N_k w_k (service + a whole filling),
 ///
-/// for as many sorties as there are aircraft begin without either. Found exactly over cuts in
+/// for as many sorties as there are aircraft begin without either; later where aircraft fly for a
+/// part of the time only. Found exactly over cuts in
 /// cells, with the ways out and home at their least in each; weights are searched for on coarser
 /// cells, beginning with those that make all spraying cost the same. Fleets of more than six kinds
 /// keep those.

@@ -16,8 +16,8 @@ struct Flier {
   double spray_mps, ferry_mps;
   double service_s = 0.0;  ///< In the bay, beyond what the station takes.
   double sortie_s = 0.0;   ///< Lost in every flight; bounds leave it out.
-  double ready_s = 0.0;    ///< When it can take off first; bounds take it for 0.
-  /// Down for good by then; bounds leave it out.
+  double ready_s = 0.0;    ///< When it can take off first.
+  /// Down for good by then. Of the bounds `kinds_bound_s` alone knows of either.
   double until_s = std::numeric_limits<double>::infinity();
   FieldPoint start;  ///< Where it stands at time 0, tank and pack full.
 };

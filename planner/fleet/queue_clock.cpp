@@ -1,6 +1,7 @@
 #include "planner/fleet/queue_clock.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <limits>
 #include <tuple>
 
@@ -8,6 +9,18 @@ namespace furrow::planner::fleet {
 namespace {
 
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+constexpr std::size_t most_timed = 1 << 13;
+constexpr double slack = 1e-9;  // of rounding, in a tank and a pack
+
+std::size_t hash(const Sortie& s, std::uint32_t from_depot) {
+  constexpr std::uint64_t factor = 0x9e3779b97f4a7c15;
+  std::uint64_t mixed = std::bit_cast<std::uint64_t>(s.from_m) * factor;
+  mixed = (mixed ^ std::bit_cast<std::uint64_t>(s.to_m)) * factor;
+  mixed = (mixed ^ (mixed >> 32) ^ s.flier ^ (std::uint64_t{s.depot} << 20) ^
+           (std::uint64_t{from_depot} << 40)) *
+          factor;
+  return static_cast<std::size_t>(mixed >> 51);
+}
 
 }  // namespace
 
@@ -32,7 +45,7 @@ bool is_better(const Finish& a, const Finish& b) {
   return std::tie(a.late_s, a.makespan_s, a.total_s) < std::tie(b.late_s, b.makespan_s, b.total_s);
 }
 
-QueueClock::QueueClock(const FleetProblem& problem) : problem_{problem} {
+QueueClock::QueueClock(const FleetProblem& problem) : problem_{problem}, timed_(most_timed) {
   for (const Depot& d : problem.depots) free_s_.emplace_back(d.bays);
 }
 
@@ -48,6 +61,18 @@ void QueueClock::link(std::span<const Sortie> sorties) {
   for (auto& bays : free_s_) bays.assign(bays.size(), 0.0);
 }
 
+/// @param from_depot  None: from the flier's start.
+double QueueClock::timed_s(const Sortie& s, std::uint32_t from_depot) {
+  Timed& known = timed_[hash(s, from_depot)];
+  if (known.from_m == s.from_m && known.to_m == s.to_m && known.flier == s.flier &&
+      known.depot == s.depot && known.from_depot == from_depot)
+    return known.flight_s;
+  const FieldPoint from =
+      from_depot == none ? problem_.fliers[s.flier].start : problem_.depots[from_depot].position;
+  known = {s.from_m, s.to_m, s.flier, s.depot, from_depot, flight_s(problem_, s, from)};
+  return known.flight_s;
+}
+
 /// When the bay lets it go, having waited for it.
 double QueueClock::served_s(const Sortie& landed, const Sortie& next, double arrives_s) {
   auto& bays = free_s_[landed.depot];
@@ -61,17 +86,22 @@ Finish QueueClock::finish(std::span<const Sortie> sorties) {
   const auto later = [](const Arrival& a, const Arrival& b) {
     return a.at_s != b.at_s ? a.at_s > b.at_s : a.flier > b.flier;
   };
-  const auto fly = [&](std::uint32_t i, FieldPoint from, double at_s) {
+  Finish finish{};
+  const auto fly = [&](std::uint32_t i, std::uint32_t from_depot, double at_s) {
+    const Sortie& s = sorties[i];
+    const Flier& flier = problem_.fliers[s.flier];
+    const double flight_s = timed_s(s, from_depot);
+    finish.is_carried &= s.to_m - s.from_m <= flier.tank_m + slack;
+    finish.is_carried &= flight_s <= flier.pack_s + slack;
     leaves_s_[i] = at_s;
-    lands_s_[i] = at_s + flight_s(problem_, sorties[i], from);
+    lands_s_[i] = at_s + flight_s;
     arrivals_.push_back({lands_s_[i], sorties[i].flier, i});
     std::push_heap(arrivals_.begin(), arrivals_.end(), later);
   };
   arrivals_.clear();
   for (std::size_t u = 0; u < first_.size(); ++u) {
-    if (first_[u] != none) fly(first_[u], problem_.fliers[u].start, problem_.fliers[u].ready_s);
+    if (first_[u] != none) fly(first_[u], none, problem_.fliers[u].ready_s);
   }
-  Finish finish{};
   while (!arrivals_.empty()) {
     const Arrival now = arrivals_.front();
     std::pop_heap(arrivals_.begin(), arrivals_.end(), later);
@@ -90,7 +120,7 @@ Finish QueueClock::finish(std::span<const Sortie> sorties) {
     const Sortie& next = sorties[next_[now.sortie]];
     const double leaves_s = served_s(landed, next, now.at_s);
     finish.wait_s += leaves_s - service_s(problem_, landed.depot, next) - now.at_s;
-    fly(next_[now.sortie], depot, leaves_s);
+    fly(next_[now.sortie], landed.depot, leaves_s);
   }
   return finish;
 }

@@ -17,7 +17,8 @@ struct Finish {
   double makespan_s;  ///< See FleetProblem::ends_sprayed.
   double total_s;     ///< Sum of all aircraft's last landings.
   double wait_s;
-  double late_s;  ///< By which last landings are after the fliers' ends, in all.
+  double late_s;           ///< By which last landings are after the fliers' ends, in all.
+  bool is_carried = true;  ///< No flight takes more than a tank or a pack.
 };
 
 /// Whether a plan is to be preferred: fewer landings too late, then the makespan, then the total.
@@ -25,8 +26,8 @@ bool is_better(const Finish& a, const Finish& b);
 
 /// Flies plans from time 0. Each depot serves first come first served, those who come at the same
 /// instant by number, in the bay that is free first. Aircraft leave the start at once, land after
-/// every sortie and are serviced before the next. Keeps its working space: for the inside of a
-/// search.
+/// every sortie and are serviced before the next. Keeps its working space, and how long the
+/// flights last seen take: for the inside of a search.
 ///
 /// Time O(sorties * log aircraft).
 class QueueClock {
@@ -41,7 +42,14 @@ class QueueClock {
     double at_s;
     std::uint32_t flier, sortie;
   };
+  /// A flight that was timed.
+  struct Timed {
+    double from_m = -1.0, to_m = -1.0;
+    std::uint32_t flier = 0, depot = 0, from_depot = 0;
+    double flight_s = 0.0;
+  };
   void link(std::span<const Sortie> sorties);
+  double timed_s(const Sortie& sortie, std::uint32_t from_depot);
   double served_s(const Sortie& landed, const Sortie& next, double arrives_s);
 
   const FleetProblem& problem_;
@@ -49,6 +57,7 @@ class QueueClock {
   std::vector<std::vector<double>> free_s_;  ///< By depot and bay.
   std::vector<Arrival> arrivals_;            ///< A heap.
   std::vector<double> leaves_s_, lands_s_;
+  std::vector<Timed> timed_;  ///< By a hash of the flight.
 };
 
 }  // namespace furrow::planner::fleet

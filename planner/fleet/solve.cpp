@@ -20,21 +20,20 @@ struct Judged {
   Finish finish;
 };
 
-/// What the makespan may grow by at first, as a share. Where the budget is too small for a plan of
-/// so many sorties to settle again, it is not unsettled.
+/// What the makespan may grow by at first, as a share. Of n sorties there are about n squared
+/// changes, and each flies n: where the budget does not make all of them many times, the plan would
+/// not settle again, so it is not unsettled.
 double heat(std::size_t sorties, std::uint64_t budget) {
-  constexpr double most = 0.01, changes_each = 200.0;
+  constexpr double most = 0.01, times = 900.0;
   const double n = static_cast<double>(sorties);
-  return most * std::min(1.0, static_cast<double>(budget) / (changes_each * n * n));
+  return most * std::min(1.0, static_cast<double>(budget) / (times * n * n * n));
 }
 
 /// Anneals from one plan after another, and remembers the best of all.
 class Annealer {
  public:
   Annealer(const FleetProblem& problem, std::uint64_t seed)
-      : problem_{problem}, clock_{problem}, random_{seed} {
-    for (const Flier& f : problem.fliers) packs_end_ |= f.pack_s < infinite;
-  }
+      : problem_{problem}, clock_{problem}, random_{seed} {}
 
   Judged judged(FleetSorties sorties) {
     const Finish finish = flown(sorties);
@@ -53,8 +52,9 @@ class Annealer {
     for (std::uint64_t spent = 0; spent < budget; ++spent) {
       CutPlan next = now;
       if (!next.change(random_)) continue;
-      if (packs_end_ && !is_carried(problem_, next.sorties())) continue;
-      const Finish finish = flown(next.sorties());
+      const Finish finish = clock_.finish(next.sorties());
+      if (!finish.is_carried) continue;
+      ++evaluations_;
       spent += next.sorties().size();
       const double part = static_cast<double>(spent) / static_cast<double>(budget);
       const double heat_s = hot_s * std::pow(cold_s / hot_s, part);
@@ -82,7 +82,6 @@ class Annealer {
   const FleetProblem& problem_;
   QueueClock clock_;
   Random random_;
-  bool packs_end_ = false;
   std::uint64_t evaluations_ = 0;
 };
 

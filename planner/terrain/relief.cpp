@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace furrow::planner {
 namespace {
@@ -81,81 +82,71 @@ AirWay Relief::straight(std::span<const WayPoint> way, Speed speed) const {
   return made;
 }
 
-AirWay Relief::ferry(std::span<const WayPoint> way, Speed speed, Length layer,
-                     std::optional<Length> begins) const {
-  require(way.size() >= 2, "a ferry has two ends");
-  double left_m = 0;
-  for (std::size_t k = 1; k < way.size(); ++k) {
-    left_m += std::hypot(way[k].x_m - way[k - 1].x_m, way[k].y_m - way[k - 1].y_m);
-  }
-  const auto place = [](WayPoint p) { return at_m(p.x_m, p.y_m); };
-  const double work_m = work_altitude_m(place(way.front()));
-  const double leaves_m = begins ? std::max(work_m, begins->base()) : work_m;
-  const double arrives_m = work_altitude_m(place(way.back()));
-  const double up = rule_.climb / speed, down = rule_.descent / speed;
-  AirWay made{leaves_m, {}};
-  double gone_m = 0, before_m = leaves_m;
-  for (std::size_t k = 1; k < way.size(); ++k) {
-    const double length_m = std::hypot(way[k].x_m - way[k - 1].x_m, way[k].y_m - way[k - 1].y_m);
-    const int n = pieces(length_m, pitch_m_);
-    for (int i = 1; length_m > 0 && i <= n; ++i) {
-      const WayPoint p = i == n ? way[k] : between(way[k - 1], way[k], static_cast<double>(i) / n);
-      gone_m += length_m / n;
-      left_m -= length_m / n;
-      const double wanted_m = std::min(
-          {p.z_m + layer.base(), leaves_m + up * gone_m, arrives_m + down * std::max(0.0, left_m)});
-      const double here_m = std::max(wanted_m, work_altitude_m(place(p)));
-      const double limit = limit_mps(length_m / n, here_m - before_m, speed.base());
-      made.legs.push_back({place(p), limit, here_m, i == n});
-      before_m = here_m;
-    }
-  }
-  return made;
-}
-
-// Along the way, each with the clearance over the ground up to halfway to its neighbours.
-std::vector<WayPoint> Relief::samples(std::span<const FieldPoint> way) const {
-  const double kept_m = (rule_.clearance + surface_.error()).base();
-  const auto height_m = [&](double x_m, double y_m) {
-    return surface_.height_m(x_m, y_m) + kept_m;
-  };
-  const FieldPoint start = way.front();
-  std::vector<WayPoint> made{
-      {start.x.base(), start.y.base(), height_m(start.x.base(), start.y.base())}};
-  for (std::size_t k = 1; k < way.size(); ++k) {
-    const WayPoint from = made.back(), to{way[k].x.base(), way[k].y.base(), 0};
-    const int n = pieces(distance(way[k - 1], way[k]).base(), pitch_m_);
-    for (int i = 1; i <= n; ++i) {
-      WayPoint p = i == n ? to : between(from, to, static_cast<double>(i) / n);
-      const WayPoint middle = between(made.back(), p, 0.5);
-      const double middle_m = height_m(middle.x_m, middle.y_m);
-      p.z_m = std::max(height_m(p.x_m, p.y_m), middle_m);
-      made.back().z_m = std::max(made.back().z_m, middle_m);
-      made.push_back(p);
-    }
-  }
-  return made;
-}
-
 AirWay Relief::ferry(std::span<const FieldPoint> way, Speed speed, Length layer,
                      std::optional<Length> begins) const {
   require(way.size() >= 2, "a ferry has two ends");
-  std::vector<WayPoint> over = samples(way);
+  const Course c = course(way);
   const double up = rule_.climb / speed, down = rule_.descent / speed;
-  const auto run_m = [](WayPoint a, WayPoint b) {
-    return std::hypot(b.x_m - a.x_m, b.y_m - a.y_m);
-  };
-  for (std::size_t k = over.size() - 1; k > 0; --k) {
-    over[k - 1].z_m = std::max(over[k - 1].z_m, over[k].z_m - up * run_m(over[k - 1], over[k]));
+  const std::vector<double> lowest_m = lowest_heights_m(c, up, down);
+  const double spray_m = rule_.spray_height.base();
+  const double work_m = c.ground_m.front() + spray_m, arrives_m = c.ground_m.back() + spray_m;
+  const double leaves_m = begins ? std::max(work_m, begins->base()) : work_m;
+  double gone_m = 0, left_m = std::accumulate(c.run_m.begin(), c.run_m.end(), 0.0);
+  AirWay made{leaves_m, {}};
+  made.legs.reserve(c.run_m.size());
+  double before_m = leaves_m;
+  for (std::size_t k = 1; k < lowest_m.size(); ++k) {
+    const double run_m = c.run_m[k - 1];
+    gone_m += run_m;
+    left_m -= run_m;
+    const double wanted_m = std::min({lowest_m[k] + layer.base(), leaves_m + up * gone_m,
+                                      arrives_m + down * std::max(0.0, left_m)});
+    const double here_m = std::max(wanted_m, c.ground_m[2 * k] + spray_m);
+    made.legs.push_back({at_m(c.x_m[2 * k], c.y_m[2 * k]),
+                         limit_mps(run_m, here_m - before_m, speed.base()), here_m, false});
+    before_m = here_m;
   }
-  for (std::size_t k = 1; k < over.size(); ++k) {
-    over[k].z_m = std::max(over[k].z_m, over[k - 1].z_m - down * run_m(over[k - 1], over[k]));
+  for (const std::size_t k : c.bends) made.legs[k - 1].bends = true;
+  return made;
+}
+
+Relief::Course Relief::course(std::span<const FieldPoint> way) const {
+  Course c{{way.front().x.base()}, {way.front().y.base()}, {}, {}, {}};
+  for (std::size_t k = 1; k < way.size(); ++k) {
+    const FieldVector leg = way[k] - way[k - 1];
+    const double length_m = distance(way[k - 1], way[k]).base();
+    if (length_m == 0) continue;
+    const int n = pieces(length_m, pitch_m_);
+    for (int i = 1; i <= 2 * n; ++i) {
+      const double share = 0.5 * i / n;
+      c.x_m.push_back((way[k - 1].x + share * leg.x).base());
+      c.y_m.push_back((way[k - 1].y + share * leg.y).base());
+    }
+    c.x_m.back() = way[k].x.base();  // not by rounding beside it
+    c.y_m.back() = way[k].y.base();
+    c.run_m.insert(c.run_m.end(), static_cast<std::size_t>(n), length_m / n);
+    c.bends.push_back(c.run_m.size());
   }
-  AirWay made = ferry(std::span<const WayPoint>{over}, speed, layer, begins);
-  std::size_t next = 1;
-  for (AirLeg& leg : made.legs) {
-    leg.bends = next < way.size() && leg.to == way[next];
-    if (leg.bends) ++next;
+  c.ground_m.resize(c.x_m.size());
+  surface_.heights_m(c.x_m.data(), c.y_m.data(), c.x_m.size(), c.ground_m.data());
+  return c;
+}
+
+// Each place has the clearance over the ground up to halfway to its neighbours.
+std::vector<double> Relief::lowest_heights_m(const Course& c, double up, double down) const {
+  const double kept_m = (rule_.clearance + surface_.error()).base();
+  std::vector<double> made(c.run_m.size() + 1);
+  for (std::size_t k = 0; k < made.size(); ++k) {
+    double ground_m = c.ground_m[2 * k];
+    if (k > 0) ground_m = std::max(ground_m, c.ground_m[2 * k - 1]);
+    if (k + 1 < made.size()) ground_m = std::max(ground_m, c.ground_m[2 * k + 1]);
+    made[k] = ground_m + kept_m;
+  }
+  for (std::size_t k = made.size() - 1; k > 0; --k) {
+    made[k - 1] = std::max(made[k - 1], made[k] - up * c.run_m[k - 1]);
+  }
+  for (std::size_t k = 1; k < made.size(); ++k) {
+    made[k] = std::max(made[k], made[k - 1] - down * c.run_m[k - 1]);
   }
   return made;
 }

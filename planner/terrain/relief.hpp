@@ -76,17 +76,13 @@ class Relief {
   /// @param way  From where it starts to where it ends, two or more, none above another.
   AirWay straight(std::span<const WayPoint> way, Speed speed) const;
 
-  /// A ferry along `way`, from work height to work height. It climbs out and comes down as steeply
-  /// as `speed` allows, keeps `layer` above the way in between, and is never under work height.
-  /// @param way     From where it starts to where it ends, two or more.
+  /// The lowest ferry along `way`, from work height to work height, that keeps the clearance and
+  /// `layer` above it wherever it has climbed out and not yet begun to come down. It climbs and
+  /// descends as steeply as `speed` allows, and is never under work height, where ground that is
+  /// steeper slows it down.
+  /// @param way     In plan, from where it starts to where it ends, two or more.
   /// @param begins  Altitude of an aircraft that is in the air already; below work height it counts
   ///                for work height.
-  AirWay ferry(std::span<const WayPoint> way, Speed speed, Length layer,
-               std::optional<Length> begins = {}) const;
-
-  /// The lowest ferry along `way` that keeps the clearance wherever it has climbed out and not yet
-  /// begun to come down, without climbing or descending faster than the rule says at `speed`.
-  /// @param way  In plan, from where it starts to where it ends, two or more.
   AirWay ferry(std::span<const FieldPoint> way, Speed speed, Length layer,
                std::optional<Length> begins = {}) const;
 
@@ -113,7 +109,14 @@ class Relief {
 
  private:
   double limit_mps(double run_m, double rise_m, double speed_mps) const;
-  std::vector<WayPoint> samples(std::span<const FieldPoint> way) const;
+  /// Places along a way and in the middle between each two: 2 n + 1 of both.
+  struct Course {
+    std::vector<double> x_m, y_m, ground_m;
+    std::vector<double> run_m;       ///< From each place to the next.
+    std::vector<std::size_t> bends;  ///< Places that are way points, the first left out.
+  };
+  Course course(std::span<const FieldPoint> way) const;
+  std::vector<double> lowest_heights_m(const Course& course, double up, double down) const;
 
   Surface surface_;
   HeightRule rule_;

@@ -1,5 +1,6 @@
 #include "scheduler/forecast.hpp"
 
+#include "core/random.hpp"
 #include "tests/scheduler/fixture.hpp"
 
 #include <catch2/catch.hpp>
@@ -99,6 +100,37 @@ TEST_CASE("forecast: the queue clock finds the wait that the forecast finds", "[
   fleet[2] = third;
   CHECK(all_s == forecast(fleet, stations).queue_wait_s);
   CHECK(all_s > others_s);
+}
+
+TEST_CASE("forecast: a fleet changed one by one ends as when all are flown again", "[scheduler]") {
+  Random random{1};
+  const std::vector stations{station(1, 1), station(2, 2)};
+  const auto drawn = [&](std::uint32_t agent) {
+    const std::size_t returns = random.below(4);
+    Itinerary it = flight(agent, {}, {}, random.uniform(10, 50));
+    it.stations.assign(returns, static_cast<std::uint32_t>(random.below(2)));
+    for (std::size_t n = 0; n < returns; ++n) {
+      it.flights_s.push_back(random.uniform(20, 60));
+      it.services_s.push_back(random.uniform(10, 40));
+    }
+    return it;
+  };
+  std::vector<Itinerary> fleet;
+  for (std::uint32_t u = 1; u <= 8; ++u) fleet.push_back(drawn(u));
+  FleetEnds ends{fleet, stations};
+  for (int n = 0; n < 200; ++n) {
+    const std::size_t index = random.below(fleet.size());
+    const Itinerary other = drawn(static_cast<std::uint32_t>(index) + 1);
+    std::vector<Itinerary> changed = fleet;
+    changed[index] = other;
+    const Forecast again = forecast(changed, stations);
+    REQUIRE(ends.with(index, other) == again.spray_ends_s);
+    REQUIRE(worth(ends.with(index, other)) == worth(again));
+    if (n % 2 == 0) continue;
+    ends.change(index, other);
+    fleet = changed;
+    REQUIRE(ends.spray_ends_s() == again.spray_ends_s);
+  }
 }
 
 }  // namespace

@@ -101,6 +101,19 @@ TEST_CASE("work is bounded by what each kind of aircraft can do") {
   }
 }
 
+TEST_CASE("aircraft that fly for a part of the time only do a part of the work") {
+  const FleetProblem free = there_and_back(2, 7);
+  const double free_s = kinds_bound_s(free, 0.1);
+  // One of two until a quarter of that: the other does the rest, 1.75 of its half.
+  FleetProblem ends = free;
+  ends.fliers[1].until_s = 0.25 * free_s;
+  CHECK(kinds_bound_s(ends, 0.1) == Approx(1.75 * free_s).margin(0.01));
+  // One of two from then on: until then the other has done a quarter, and both share the rest.
+  FleetProblem begins = free;
+  begins.fliers[1].ready_s = 0.25 * free_s;
+  CHECK(kinds_bound_s(begins, 0.1) == Approx(1.125 * free_s).margin(0.01));
+}
+
 TEST_CASE("what the first tanks do not carry is filled in") {
   // Tanks of 50 m for 100 m of path: half of it is filled in, with 500 s of service and 60 s of
   // filling.
