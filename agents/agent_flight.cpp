@@ -67,27 +67,41 @@ void AgentNode::work(Instant t) {
   if (is_valve_open_ && is_on_strip && aircraft_.pilot().segment().is_straight()) {
     log_.sample(piece.piece, aircraft_);
   }
-  const double before_m = progress_m_, close_m = std::min(piece.close_m, stop_m_);
+  const double before_m = progress_m_;
+  const double closes_m = std::min(piece.valve_moves_m(before_m, reached_m), stop_m_);
+  note_detour(piece, before_m, reached_m);
   pass_cells(reached_m, t);
   progress_m_ = reached_m;
 
-  const bool is_on_piece =
-      route_piece_ < route_->pieces.size() && reached_m >= route_->pieces[route_piece_].open_m;
-  const bool is_open = is_on_piece && reached_m < stop_m_;
+  const bool is_open = route_piece_ < route_->pieces.size() && reached_m < stop_m_ &&
+                       route_->pieces[route_piece_].is_sprayed(reached_m);
   if (is_open != is_valve_open_) {
-    const double at_m = is_open ? route_->pieces[route_piece_].open_m : close_m;
+    const double at_m =
+        is_open ? route_->pieces[route_piece_].valve_moves_m(before_m, reached_m) : closes_m;
     const double moved_m = reached_m - before_m;
     move_valve(is_open, t, moved_m > 0.0 ? std::clamp((at_m - before_m) / moved_m, 0.0, 1.0) : 1.0);
   }
   if (phase_ == Phase::fly_back) flush_flight_log();
 }
 
+// Once it is past an obstacle that no plan knew.
+void AgentNode::note_detour(const PieceOnPath& piece, double before_m, double reached_m) {
+  const bool is_past = before_m < piece.bends_to_m && reached_m >= piece.bends_to_m;
+  if (!piece.is_bent() || !is_past) return;
+  double closed_m = 0.0;
+  for (const PieceOnPath::Closed& c : piece.closed) closed_m += c.to_m - c.from_m;
+  if (closed_m > 0.0) {
+    note("detour_closed", "flew around what it met, " + fixed(closed_m, 1) + " m valve closed");
+  } else {
+    note("detour_sprayed", "flew around what it met, valve open");
+  }
+}
+
 void AgentNode::pass_cells(double reached_m, Instant t) {
   while (route_piece_ < route_->pieces.size()) {
     const std::size_t current = route_piece_;
     const PieceOnPath& piece = route_->pieces[current];
-    const double sprayed_m =
-        std::min(reached_m, piece.close_m) - std::max(progress_m_, piece.open_m);
+    const double sprayed_m = piece.sprayed_m(progress_m_, reached_m);
     if (sprayed_m > 0.0) {
       aircraft_.stores.spray(vehicle_, sprayed_m);
       sortie_.sprayed += metres(sprayed_m);

@@ -50,6 +50,7 @@ class AgentNode {
   bool is_airborne() const;
   void fly_one_period(Instant t);
   void work(Instant t);
+  void note_detour(const PieceOnPath& piece, double before_m, double reached_m);
   void pass_cells(double reached_m, Instant t);
   void pass_cell(Instant t);
   bool is_on_tail() const;

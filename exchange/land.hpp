@@ -42,11 +42,20 @@ Expected<Land, LandError> read_land(const std::string& path,
                                     std::optional<std::size_t> feature = {});
 Expected<Land, LandError> read_land(const LandFile& file, std::optional<std::size_t> feature = {});
 
-/// Reads obstacles from a GeoJSON file of points, each with its `radius_m` (> 0), and polygons,
-/// whose holes do not matter, each perhaps with an `id` or a `name`, into the field frame.
-Expected<std::vector<Obstacle>, LandError> read_obstacles(const std::string& path,
-                                                          const LocalFrame& frame);
-Expected<std::vector<Obstacle>, LandError> read_obstacles(const LandFile& file,
-                                                          const LocalFrame& frame);
+/// An obstacle of a file.
+struct FileObstacle {
+  Obstacle obstacle;
+  std::string feature;                  ///< Which of the file it is: "feature 2 (tree)".
+  std::optional<Length> seen_within{};  ///< As stated, > 0: the plan is not to know it.
+  std::optional<Seconds> appears{};     ///< As stated, >= 0.
+};
+
+/// Reads obstacles from a GeoJSON file of points, each with its `radius_m` (> 0) and perhaps
+/// `seen_within_m` and `appears_s`, and polygons, whose holes do not matter, each perhaps with an
+/// `id` or a `name`, into the field frame. An error names the feature.
+Expected<std::vector<FileObstacle>, LandError> read_obstacles(const std::string& path,
+                                                              const LocalFrame& frame);
+Expected<std::vector<FileObstacle>, LandError> read_obstacles(const LandFile& file,
+                                                              const LocalFrame& frame);
 
 }  // namespace furrow::exchange

@@ -22,6 +22,28 @@ std::string id_of(OGRFeature& feature, std::size_t number) {
   return fmt::format("obstacle{}", number);
 }
 
+std::string feature_text(OGRFeature& feature, std::size_t number) {
+  for (const char* key : {"id", "name"}) {
+    if (std::string id = text_of(feature, key); !id.empty()) {
+      return fmt::format("feature {} ({})", number, shown(id));
+    }
+  }
+  return fmt::format("feature {}", number);
+}
+
+bool is_above_0(double x) { return x > 0; }
+bool is_at_least_0(double x) { return x >= 0; }
+
+// A number that a feature may state.
+Expected<std::optional<double>, Fault> stated(OGRFeature& feature, const char* key,
+                                              const char* rule, bool (*holds)(double)) {
+  const std::string text = text_of(feature, key);
+  if (text.empty()) return std::optional<double>{};
+  const auto value = number(text);
+  if (value && holds(*value)) return value;
+  return Unexpected{Fault{fmt::format("{} must be a number {}", key, rule), shown(text)}};
+}
+
 // Places of a file in the field frame.
 class Places {
  public:
@@ -85,39 +107,54 @@ Expected<Obstacle, Fault> obstacle(OGRFeature& feature, const Places& places,
   }
   const auto at = places.at(point->getX(), point->getY());
   if (!at) return Unexpected{at.error()};
-  const std::string stated = text_of(feature, "radius_m");
-  const auto radius_m = number(stated);
-  if (!radius_m || *radius_m <= 0) {
-    return Unexpected{
-        Fault{"radius_m must be a number > 0", stated.empty() ? "none" : shown(stated)}};
-  }
-  return Obstacle{std::move(id), *at, metres(*radius_m)};
+  const auto radius_m = stated(feature, "radius_m", "> 0", is_above_0);
+  if (!radius_m) return Unexpected{radius_m.error()};
+  if (!*radius_m) return Unexpected{Fault{"radius_m must be a number > 0", "none"}};
+  return Obstacle{std::move(id), *at, metres(**radius_m)};
+}
+
+Expected<FileObstacle, Fault> file_obstacle(OGRFeature& feature, const Places& places,
+                                            std::size_t number_in_file) {
+  auto what = obstacle(feature, places, number_in_file);
+  if (!what) return Unexpected{what.error()};
+  FileObstacle made{std::move(*what), feature_text(feature, number_in_file)};
+  const auto seen_m = stated(feature, "seen_within_m", "> 0", is_above_0);
+  if (!seen_m) return Unexpected{seen_m.error()};
+  if (*seen_m) made.seen_within = metres(**seen_m);
+  const auto appears_s = stated(feature, "appears_s", ">= 0", is_at_least_0);
+  if (!appears_s) return Unexpected{appears_s.error()};
+  if (*appears_s) made.appears = seconds(**appears_s);
+  return made;
 }
 
 }  // namespace
 
-Expected<std::vector<Obstacle>, LandError> read_obstacles(const LandFile& file,
-                                                          const LocalFrame& frame) {
+Expected<std::vector<FileObstacle>, LandError> read_obstacles(const LandFile& file,
+                                                              const LocalFrame& frame) {
   const GdalScope gdal;
   const auto error = [&](const Fault& fault) {
     return Unexpected{LandError{file.path, fault.rule, fault.value}};
   };
   const OpenLayers open{file, Driver::geojson};
   if (!open.dataset()) return error({"must be a sound GeoJSON file", gdal.complaint()});
-  std::vector<Obstacle> obstacles;
+  std::vector<FileObstacle> obstacles;
   for (OGRLayer* layer : open.dataset()->GetLayers()) {
     const Places places{layer->GetSpatialRef(), frame};
     for (const auto& feature : *layer) {
-      auto next = obstacle(*feature, places, obstacles.size() + 1);
-      if (!next) return error(next.error());
+      const std::size_t number = obstacles.size() + 1;
+      auto next = file_obstacle(*feature, places, number);
+      if (!next) {
+        const Fault& fault = next.error();
+        return error({fault.rule, feature_text(*feature, number) + ": " + fault.value});
+      }
       obstacles.push_back(std::move(*next));
     }
   }
   return obstacles;
 }
 
-Expected<std::vector<Obstacle>, LandError> read_obstacles(const std::string& path,
-                                                          const LocalFrame& frame) {
+Expected<std::vector<FileObstacle>, LandError> read_obstacles(const std::string& path,
+                                                              const LocalFrame& frame) {
   auto file = land_file(path);
   if (!file) return Unexpected{file.error()};
   return read_obstacles(*file, frame);

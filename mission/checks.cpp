@@ -152,14 +152,17 @@ Length stopping_way(const Vehicle& v) {
          v.ferry_speed * v.ferry_speed / (2.0 * planned_acceleration(v));
 }
 
-void check_sight(const Section& at, const Surprise& surprise, const Draft& draft, Length safety) {
+void check_sight(const SurpriseEntry& entry, const Surprise& surprise, const Draft& draft,
+                 Length safety) {
   Length least{};
   for (const Vehicle& v : draft.scenario.uavs) least = std::max(least, stopping_way(v) + safety);
   if (surprise.seen_within >= least) return;
-  at.fail("seen_within_m",
-          fmt::format("must be at least {:.10g}: the safety distance, and the way in which an "
-                      "aircraft stops from its ferry speed",
-                      std::ceil(10.0 * least.base()) / 10.0));
+  entry.at.fail(entry.sight_key,
+                fmt::format("{}must be at least {:.10g}: the safety distance, and the "
+                            "way in which an aircraft stops from its ferry speed",
+                            entry.value.empty() ? "" : "seen_within_m ",
+                            std::ceil(10.0 * least.base()) / 10.0),
+                entry.value);
 }
 
 // Obstacles that the plan does not know.
@@ -167,18 +170,21 @@ void check_surprises(const Draft& draft) {
   const Scenario& s = draft.scenario;
   const auto& avoidance = planner::avoidance_of(s.coverage);
   for (std::size_t i = 0; i < draft.surprises.size(); ++i) {
-    const Section& at = draft.surprises[i];
+    const SurpriseEntry& entry = draft.surprises[i];
+    const auto fail = [&](const std::string& key, const char* rule) {
+      entry.at.fail(key, rule, entry.value);
+    };
     if (!avoidance) {
-      at.fail("seen_within_m", "needs field.coverage.avoidance: how aircraft keep away from it");
+      fail(entry.sight_key, "needs field.coverage.avoidance: how aircraft keep away from it");
       continue;
     }
     if (s.terrain && s.survey)
-      at.fail("seen_within_m", "must be left out of surveys over terrain, flown high above");
-    check_sight(at, s.surprises[i], draft, avoidance->safety);
+      fail(entry.sight_key, "must be left out of surveys over terrain, flown high above");
+    check_sight(entry, s.surprises[i], draft, avoidance->safety);
     const Length kept = s.surprises[i].obstacle.radius + avoidance->safety + metres(1);
     for (const Station& station : s.stations) {
       if (distance(station.position, s.surprises[i].obstacle.center) > kept) continue;
-      at.fail("center_m", "must leave every station free by the safety distance and 1 m");
+      fail(entry.place_key, "must leave every station free by the safety distance and 1 m");
     }
   }
 }

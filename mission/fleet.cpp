@@ -73,13 +73,16 @@ agents::AvoidanceRule avoidance_rule(const Scenario& scenario) {
   const Length clearance = avoidance->safety + metres(planner::tracking_room_m);
   const Length margin = std::visit([](const auto& settings) { return settings.margin; }, coverage);
   const Length buffer = swath ? swath->hole_buffer : Length{};
-  auto room = planner::room_of(scenario.field, margin, buffer, clearance);
-  auto beyond = planner::room_of(without_boundary(scenario.field), margin, buffer, clearance);
+  const Length width = scenario.uavs.front().swath;
+  auto room = planner::room_of(scenario.field, margin, buffer, clearance, width);
+  auto beyond =
+      planner::room_of(without_boundary(scenario.field), margin, buffer, clearance, width);
   require(room && beyond, "a field that was planned leaves room");
   return {.planned = std::move(*room),
           .beyond = std::move(*beyond),
           .clearance = clearance,
-          .turn_radius = avoidance->turn_radius};
+          .turn_radius = avoidance->turn_radius,
+          .weights = {.length = avoidance->length_weight, .area = avoidance->area_weight}};
 }
 
 // Aircraft of a fleet fly between work and stations at heights of their own, no higher than 40 m or

@@ -1,6 +1,6 @@
 #include "mission/schema.hpp"
 
-#include "exchange/land.hpp"
+#include "mission/obstacles.hpp"
 #include "mission/outline.hpp"
 #include "mission/survey.hpp"
 #include "mission/terrain.hpp"
@@ -42,11 +42,11 @@ planner::CoverageSettings read_grid(const Section& s, Length margin) {
 }
 
 // Its turn radius is that of the fleet.
-std::optional<planner::AvoidanceSettings> read_avoidance(const Section& s) {
+std::optional<planner::AvoidanceSettings> read_avoidance(const Section& s, Length safety) {
   planner::AvoidanceSettings made;
   const std::size_t method =
       s.choice("method", {"none", "genetic", "exact", "split", "classic"}, 0);
-  made.safety = metres(s.number("safety_m", from_to(0, 100), 1));
+  made.safety = safety;
   made.length_weight = s.number("length_weight", from_to(0, 1), 0.5);
   made.area_weight = s.number("area_weight", from_to(0, 1), 0.5);
   made.iterations = static_cast<std::uint32_t>(s.whole("iterations", 0, 100'000, 200));
@@ -83,7 +83,9 @@ planner::CoverageModel read_coverage(const Section& s) {
   const Length margin = metres(s.number("margin_m", from_to(0, 1000), 0));
   auto grid = read_grid(s, margin);
   auto swath = read_swath(s, margin);
-  grid.avoidance = swath.avoidance = read_avoidance(s.section("avoidance"));
+  const Section around = s.section("avoidance");
+  grid.safety = swath.safety = metres(around.number("safety_m", from_to(0, 100), 1));
+  grid.avoidance = swath.avoidance = read_avoidance(around, grid.safety);
   const auto refuse = [&](const auto& keys, const char* model) {
     for (const char* key : keys) {
       if (s.has(key)) s.fail(key, fmt::format("belongs to the coverage model {}", model));
@@ -125,92 +127,6 @@ void read_field(const Section& s, Scenario& out) {
     s.fail(s.has("ab_line") ? "ab_line" : "work_direction_deg",
            "must be one of 0, 90, 180, 270: a grid is flown along its sides");
   }
-}
-
-// Round, or of any outline.
-Obstacle read_obstacle(const Section& s) {
-  std::string id = s.name("id");
-  const Ring outline = s.optional_ring("boundary_m", "round");
-  const auto center = s.optional_point("center_m", "boundary_m");
-  const auto radius = s.optional_number("radius_m", above_to(0, 10'000), "boundary_m");
-  if (s.has("boundary_m")) {
-    for (const char* key : {"center_m", "radius_m"}) {
-      if (s.has(key)) s.fail(key, "must be left out beside boundary_m");
-    }
-    if (!outline.empty()) return outlined(std::move(id), outline);
-  } else {
-    for (const char* key : {"center_m", "radius_m"}) {
-      if (!s.has(key)) s.fail(key, "is required, or boundary_m");
-    }
-  }
-  return {std::move(id), center.value_or(FieldPoint{}), metres(radius.value_or(1))};
-}
-
-constexpr double latest_s = 10'000'000;
-
-// What the plan does not know of it, if anything.
-std::optional<Surprise> read_surprise(const Section& s, const Obstacle& obstacle) {
-  const auto seen_m = s.optional_number("seen_within_m", above_to(0, 10'000), "known to the plan");
-  const auto appears_s = s.optional_number("appears_s", from_to(0, latest_s), "from the start");
-  if (!s.has("seen_within_m") && s.has("appears_s")) {
-    s.fail("appears_s", "needs seen_within_m: how near an aircraft must be to see it");
-  }
-  if (!s.has("seen_within_m")) return std::nullopt;
-  if (!obstacle.outline.empty()) {
-    s.fail("seen_within_m", "belongs to round obstacles, not to those with boundary_m");
-  }
-  return Surprise{.id = obstacle.id,
-                  .obstacle = {obstacle.center, obstacle.radius},
-                  .appears = Instant{duration(seconds(appears_s.value_or(0)))},
-                  .seen_within = metres(seen_m.value_or(1))};
-}
-
-void read_obstacles_file(const Section& root, const Scenario& scenario,
-                         std::vector<Obstacle>& obstacles, std::set<std::string>& ids) {
-  const auto file = root.optional_text("obstacles_file", "none");
-  if (!file) return;
-  if (!scenario.datum) {
-    root.fail("obstacles_file", "needs field.file or field.datum, its places being on the globe");
-    return;
-  }
-  auto read = exchange::read_obstacles(root.findings().beside(*file),
-                                       exchange::LocalFrame{*scenario.datum});
-  if (!read) {
-    root.fail("obstacles_file", read.error().rule,
-              fmt::format("{} in {}", read.error().value, *file));
-    return;
-  }
-  for (Obstacle& obstacle : *read) {
-    if (!ids.insert(obstacle.id).second) {
-      root.fail("obstacles_file", "must hold ids that are unique among the obstacles", obstacle.id);
-    } else if (obstacle.radius > metres(10'000)) {
-      root.fail("obstacles_file", "must hold obstacles of at most 10000 m radius", obstacle.id);
-    }
-    obstacles.push_back(std::move(obstacle));
-  }
-  if (obstacles.size() > most_entries) {
-    root.fail("obstacles_file", fmt::format("must leave at most {} obstacles in all", most_entries),
-              std::to_string(obstacles.size()));
-  }
-}
-
-std::vector<Obstacle> read_obstacles(const Section& root, Draft& draft) {
-  Scenario& scenario = draft.scenario;
-  std::vector<Obstacle> obstacles;
-  std::set<std::string> ids;
-  for (const auto& s : root.list("obstacles", 0, most_entries)) {
-    Obstacle made = read_obstacle(s);
-    const std::string& id = made.id;
-    if (!id.empty() && !ids.insert(id).second) s.fail("id", "must be unique among the obstacles");
-    if (auto surprise = read_surprise(s, made)) {
-      draft.surprises.push_back(s);
-      scenario.surprises.push_back(std::move(*surprise));
-    } else {
-      obstacles.push_back(std::move(made));
-    }
-  }
-  read_obstacles_file(root, scenario, obstacles, ids);
-  return obstacles;
 }
 
 Station read_station(const Section& s) {
@@ -443,7 +359,7 @@ Draft read_scenario(const Section& root) {
   s.name = root.name("name");
   s.seed = root.whole("seed", 0, UINT64_MAX, 1);
   draft.field_in_order = in_order(root, [&] { read_field(root.required_section("field"), s); });
-  s.field.obstacles = read_obstacles(root, draft);
+  read_obstacles(root, draft);
   draft.supply_in_order = in_order(root, [&] { read_supply(root, draft); });
   draft.fleet_in_order = in_order(root, [&] { read_uavs(root, draft); });
   s.wind = read_wind(root.section("wind"));

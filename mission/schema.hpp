@@ -9,6 +9,13 @@
 
 namespace furrow::mission {
 
+/// Where an obstacle that the plan does not know is told of.
+struct SurpriseEntry {
+  Section at;
+  std::string sight_key, place_key;  ///< Of `at`: how far it is seen, and where it stands.
+  std::string value;                 ///< What it is of a file; empty: the value at the key.
+};
+
 /// A scenario as read, and the parts of the file that checks across keys point at.
 struct Draft {
   Scenario scenario;
@@ -17,7 +24,7 @@ struct Draft {
   std::vector<std::size_t> fleet_of;  ///< For each UAV, the index of its entry.
   std::vector<bool> has_start;        ///< For each entry, whether it says where its UAVs start.
   std::vector<Section> faults;
-  std::vector<Section> surprises;  ///< The entry of each obstacle that the plan does not know.
+  std::vector<SurpriseEntry> surprises;  ///< In the scenario's order.
   /// Whether each key of the part is in order by itself.
   bool field_in_order, supply_in_order, fleet_in_order, faults_in_order;
 };

@@ -54,11 +54,12 @@ struct Yardsticks {
 struct FleetPlan {
   planner::Route route;
   std::optional<planner::SweepFigures> sweep{};  ///< As of planner::Coverage.
-  double work_direction_deg;                     ///< Clockwise from north, as given or as found.
-  std::vector<UavPlan> uavs;                     ///< In order of id.
-  double makespan_s;     ///< Forecast mission time at which the last cell is sprayed.
-  double lower_bound_s;  ///< No plan of this route is done earlier at constant speeds.
-  std::string bound{};   ///< What holds the fleet up by that bound; empty if none is known: 0.
+  Length safety{};  ///< That every way keeps from obstacles; 0 of flights high above them.
+  double work_direction_deg;  ///< Clockwise from north, as given or as found.
+  std::vector<UavPlan> uavs;  ///< In order of id.
+  double makespan_s;          ///< Forecast mission time at which the last cell is sprayed.
+  double lower_bound_s;       ///< No plan of this route is done earlier at constant speeds.
+  std::string bound{};        ///< What holds the fleet up by that bound; empty if none is known: 0.
   std::optional<Yardsticks> yardsticks{};  ///< Where sorties were chosen jointly.
 };
 

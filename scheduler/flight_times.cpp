@@ -1,6 +1,5 @@
 #include "scheduler/flight_times.hpp"
 
-#include "core/corner.hpp"
 #include "core/require.hpp"
 
 #include <algorithm>
@@ -9,125 +8,7 @@
 namespace furrow::scheduler {
 namespace {
 
-constexpr double turning_share = 0.9;  // of the acceleration: the rest keeps aircraft on their arcs
 constexpr double same_place_m = 1e-6;
-
-/// Straight legs from rest to rest, to be timed. Metres and seconds.
-class Way {
- public:
-  Way(FieldPoint start, const Vehicle& vehicle)
-      : acceleration_{planned_acceleration(vehicle).base()},
-        cut_m_{0.5 * vehicle.swath.base()},
-        min_radius_m_{vehicle.min_turn_radius.base()},
-        at_{start} {}
-
-  void add(FieldPoint to, Speed limit, Corner corner) {
-    const double length_m = distance(at_, to).base();
-    if (length_m < same_place_m) {
-      if (!legs_.empty()) legs_.back().corner = std::max(legs_.back().corner, corner);
-      return;
-    }
-    legs_.push_back({.x = (to - at_).x.base() / length_m,
-                     .y = (to - at_).y.base() / length_m,
-                     .length_m = length_m,
-                     .limit_mps = limit.base(),
-                     .corner = corner});
-    at_ = to;
-  }
-
-  std::size_t legs() const { return legs_.size(); }
-
-  /// @param sprayed_legs  After so many legs the last cell is sprayed: in the middle of an arc.
-  SortieTimes times(std::size_t sprayed_legs);
-
- private:
-  struct Leg {
-    double x, y;  // unit vector
-    double length_m, limit_mps;
-    Corner corner;  // where it ends
-  };
-  struct Stretch {
-    double length_m, limit_mps, entry_mps;
-  };
-
-  double lay_corner(const Leg& in, const Leg& out);
-  void plan_speeds();
-  double flown_s(const Stretch& stretch, double entry_mps, double exit_mps) const;
-
-  double acceleration_, cut_m_, min_radius_m_;
-  FieldPoint at_;
-  std::vector<Leg> legs_{};
-  std::vector<Stretch> stretches_{};  ///< Each leg's straight, then its corner.
-};
-
-/// Appends the corner between two legs.
-/// @return  How much of each leg it takes [m].
-double Way::lay_corner(const Leg& in, const Leg& out) {
-  const double angle =
-      std::abs(std::atan2(in.x * out.y - in.y * out.x, in.x * out.x + in.y * out.y));
-  if (angle <= straight_rad) {
-    stretches_.push_back({0.0, std::min(in.limit_mps, out.limit_mps), 0.0});
-    return 0.0;
-  }
-  const auto [cut_m, radius_m] =
-      corner_arc(in.corner, angle, std::min(in.length_m, out.length_m), cut_m_, min_radius_m_);
-  if (radius_m == 0.0) {
-    stretches_.push_back({0.0, 0.0, 0.0});
-    return 0.0;
-  }
-  const double turning_mps = std::sqrt(turning_share * acceleration_ * radius_m);
-  stretches_.push_back(
-      {radius_m * angle, std::min({in.limit_mps, out.limit_mps, turning_mps}), 0.0});
-  return cut_m;
-}
-
-void Way::plan_speeds() {
-  double exit_mps = 0.0;
-  for (std::size_t i = stretches_.size(); i-- > 0;) {
-    Stretch& s = stretches_[i];
-    s.entry_mps =
-        std::min(s.limit_mps, std::sqrt(exit_mps * exit_mps + 2.0 * acceleration_ * s.length_m));
-    if (i > 0) s.entry_mps = std::min(s.entry_mps, stretches_[i - 1].limit_mps);
-    exit_mps = s.entry_mps;
-  }
-}
-
-double Way::flown_s(const Stretch& stretch, double entry_mps, double exit_mps) const {
-  if (stretch.length_m <= 0.0) return 0.0;
-  const double squares = entry_mps * entry_mps + exit_mps * exit_mps;
-  const double reached_mps = std::sqrt(acceleration_ * stretch.length_m + 0.5 * squares);
-  const double peak_mps = std::max({std::min(reached_mps, stretch.limit_mps), entry_mps, exit_mps});
-  const double ramps_m = (2.0 * peak_mps * peak_mps - squares) / (2.0 * acceleration_);
-  return (2.0 * peak_mps - entry_mps - exit_mps) / acceleration_ +
-         std::max(0.0, stretch.length_m - ramps_m) / peak_mps;
-}
-
-SortieTimes Way::times(std::size_t sprayed_legs) {
-  double taken_m = 0.0;  // of the leg, by the corner before it
-  for (std::size_t i = 0; i < legs_.size(); ++i) {
-    const std::size_t straight = stretches_.size();
-    stretches_.push_back({0.0, legs_[i].limit_mps, 0.0});
-    const double cut_m = i + 1 < legs_.size() ? lay_corner(legs_[i], legs_[i + 1]) : 0.0;
-    stretches_[straight].length_m = std::max(0.0, legs_[i].length_m - taken_m - cut_m);
-    taken_m = cut_m;
-  }
-  plan_speeds();
-
-  double sum_s = 0.0, sprayed_s = 0.0, entry_mps = 0.0;
-  for (std::size_t i = 0; i < stretches_.size(); ++i) {
-    const Stretch& s = stretches_[i];
-    const double wanted_mps = i + 1 < stretches_.size() ? stretches_[i + 1].entry_mps : 0.0;
-    const double exit_mps =
-        std::min(wanted_mps, std::sqrt(entry_mps * entry_mps + 2.0 * acceleration_ * s.length_m));
-    const double took_s = flown_s(s, entry_mps, exit_mps);
-    // Stretches 2 i and 2 i + 1 are leg i and the corner after it.
-    if (i + 1 == 2 * sprayed_legs) sprayed_s = sum_s + 0.5 * took_s;
-    sum_s += took_s;
-    if (i + 2 == 2 * sprayed_legs && i + 1 == stretches_.size()) sprayed_s = sum_s;
-    entry_mps = exit_mps;
-  }
-  return {.until_sprayed_s = sprayed_s, .home_s = sum_s - sprayed_s};
-}
 
 }  // namespace
 
@@ -148,7 +29,7 @@ void FlightTimes::add_stand(const planner::ReturnProblem& problem) {
 
 FlightTimes::FlightTimes(const planner::Route& route,
                          std::span<const planner::ReturnProblem* const> problems)
-    : vehicle_{}, ferries_{route.ferries} {
+    : vehicle_{}, ferries_{route.ferries}, share_{{}, {}} {
   const planner::ReturnProblem* known = nullptr;
   for (const planner::ReturnProblem* p : problems) {
     if (p == nullptr) {
@@ -176,12 +57,29 @@ FlightTimes::FlightTimes(const planner::Route& route,
             .stops = {},
             .approach = strip.approach,
             .continues = strip.continues,
-            .to_its_end = planner::sprays_ends(strip)};
+            .to_its_end = planner::sprays_ends(strip),
+            .leg = 0};
     for (std::uint32_t c = first; c < stop; ++c) {
       run.stops.push_back(planner::stop_point(route, strip, c));
     }
     runs_.push_back(std::move(run));
   }
+  time_share();
+}
+
+// All of the share in one flight.
+void FlightTimes::time_share() {
+  Legs legs{runs_.front().begin};
+  for (std::size_t r = 0; r < runs_.size(); ++r) {
+    runs_[r].leg = legs.count();
+    if (r + 1 < runs_.size()) lead_on(legs, r);
+  }
+  legs.add(runs_.back().stops.back(), vehicle_.spray_speed, Corner::stop);
+  share_ = LegTimes{vehicle_, legs.all()};
+}
+
+bool FlightTimes::Run::has_length() const {
+  return distance(begin, stops.back()).base() >= same_place_m;
 }
 
 // Between the stop of a cell and the station, both left out; empty where it is straight.
@@ -210,8 +108,22 @@ const FlightTimes::Places& FlightTimes::way_out(bool is_first, std::uint32_t sta
   return known->second;
 }
 
-SortieTimes FlightTimes::operator()(const planner::PlannedSortie& sortie, bool is_first,
-                                    Ends ends) const {
+// From within a run to the beginning of the next.
+void FlightTimes::lead_on(Legs& legs, std::size_t r) const {
+  const Run &run = runs_[r], &next = runs_[r + 1];
+  const bool meets = distance(run.stops.back(), next.begin).base() < same_place_m;
+  legs.add(run.stops.back(), vehicle_.spray_speed, run.corner(meets));
+  if (!next.continues) {
+    for (const FieldPoint at : next.approach) legs.add(at, vehicle_.ferry_speed, Corner::held);
+  }
+  legs.add(next.begin, next.continues || meets ? vehicle_.spray_speed : vehicle_.ferry_speed,
+           run.corner(meets));
+}
+
+// From where it starts to where it takes up its work.
+// @return  The run that it begins in.
+std::size_t FlightTimes::begin(Legs& legs, const planner::PlannedSortie& sortie, bool is_first,
+                               std::uint32_t from) const {
   auto run = std::partition_point(runs_.begin(), runs_.end(),
                                   [&](const Run& r) { return r.last < sortie.first; });
   // Work goes on from a cell sprayed before, unless a ferry follows it.
@@ -219,41 +131,57 @@ SortieTimes FlightTimes::operator()(const planner::PlannedSortie& sortie, bool i
                              !std::next(run)->continues;
   if (ferry_follows) ++run;
   const bool begins_run = ferry_follows || (is_first && sortie.first <= run->first);
-  const auto corner = [&](bool open) {
-    return !run->to_its_end ? Corner::cut : open ? Corner::held : Corner::stop;
+  const std::uint32_t cell = std::max(sortie.first, run->first);
+  const FieldPoint entry = begins_run ? run->begin : run->stop(cell);
+  Places way =
+      begins_run ? way_out(is_first, from, run->first, run->begin) : way_home(from, cell, entry);
+  if (!begins_run) std::reverse(way.begin(), way.end());
+  for (const FieldPoint at : way) legs.add(at, vehicle_.ferry_speed, Corner::cut);
+  legs.add(entry, vehicle_.ferry_speed, run->corner(false));
+  return static_cast<std::size_t>(run - runs_.begin());
+}
+
+// From within a run to its `cell`.
+void FlightTimes::finish(Legs& legs, std::size_t run, std::uint32_t cell, std::uint32_t to) const {
+  for (const FieldPoint at : way_home(to, cell, runs_[run].stop(cell))) {
+    legs.add(at, vehicle_.ferry_speed, Corner::cut);
+  }
+  legs.add(stands_[to].station, vehicle_.ferry_speed, Corner::stop);
+}
+
+SortieTimes FlightTimes::operator()(const planner::PlannedSortie& sortie, bool is_first,
+                                    Ends ends) const {
+  Legs legs{is_first ? vehicle_.home : stands_[ends.from].station};
+  const std::size_t first = begin(legs, sortie, is_first, ends.from);
+  const auto in = std::partition_point(runs_.begin(), runs_.end(),
+                                       [&](const Run& r) { return r.last < sortie.last; });
+  const std::size_t last = std::max(first, static_cast<std::size_t>(in - runs_.begin()));
+  // Between the first whole run and the last, legs are those of the share.
+  std::size_t head = first + 1, tail = last;
+  while (head < tail && !runs_[head].has_length()) ++head;
+  while (head < tail && (tail == last || !runs_[tail].has_length())) --tail;
+  const auto lead = [&](Legs& on, std::size_t from, std::size_t to) {
+    for (std::size_t r = from; r < to; ++r) lead_on(on, r);
   };
-  Way way{is_first ? vehicle_.home : stands_[ends.from].station, vehicle_};
-  if (begins_run) {
-    for (const FieldPoint at : way_out(is_first, ends.from, run->first, run->begin)) {
-      way.add(at, vehicle_.ferry_speed, Corner::cut);
-    }
-    way.add(run->begin, vehicle_.ferry_speed, corner(false));
+  const auto spray_last = [&](Legs& on) {
+    on.add(runs_[last].stop(sortie.last), vehicle_.spray_speed, runs_[last].corner(false));
+    const std::size_t sprayed = on.count();
+    finish(on, last, sortie.last, ends.to);
+    return sprayed;
+  };
+  SortieTimes times{};
+  if (head < tail) {
+    lead(legs, first, head);
+    legs.add(share_.way()[runs_[head].leg]);
+    Legs rest{runs_[tail].begin};
+    lead(rest, tail, last);
+    const std::size_t sprayed = spray_last(rest);
+    times = share_.of(legs.all(), {runs_[head].leg, runs_[tail].leg}, rest.all(), sprayed);
   } else {
-    const std::uint32_t cell = std::max(sortie.first, run->first);
-    const Places& home = way_home(ends.from, cell, run->stop(cell));
-    for (auto at = home.rbegin(); at != home.rend(); ++at) {
-      way.add(*at, vehicle_.ferry_speed, Corner::cut);
-    }
-    way.add(run->stop(cell), vehicle_.ferry_speed, corner(false));
+    lead(legs, first, last);
+    const std::size_t sprayed = spray_last(legs);
+    times = share_.of(legs.all(), sprayed);
   }
-  while (run->last < sortie.last) {
-    const Run& next = *std::next(run);
-    const bool meets = distance(run->stops.back(), next.begin).base() < same_place_m;
-    way.add(run->stops.back(), vehicle_.spray_speed, corner(meets));
-    if (!next.continues) {
-      for (const FieldPoint at : next.approach) way.add(at, vehicle_.ferry_speed, Corner::held);
-    }
-    way.add(next.begin, next.continues || meets ? vehicle_.spray_speed : vehicle_.ferry_speed,
-            corner(meets));
-    ++run;
-  }
-  way.add(run->stop(sortie.last), vehicle_.spray_speed, corner(false));
-  const std::size_t sprayed_legs = way.legs();
-  for (const FieldPoint at : way_home(ends.to, sortie.last, run->stop(sortie.last))) {
-    way.add(at, vehicle_.ferry_speed, Corner::cut);
-  }
-  way.add(stands_[ends.to].station, vehicle_.ferry_speed, Corner::stop);
-  SortieTimes times = way.times(sprayed_legs);
   if (!late_s_.empty()) {
     times.until_sprayed_s += stands_[ends.from].late_out_s[sortie.first] +
                              (late_s_[sortie.last] - resume_late_s_[sortie.first]);

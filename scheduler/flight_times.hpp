@@ -2,6 +2,7 @@
 // How long a sortie takes an aircraft that has mass.
 
 #include "planner/returns/problem.hpp"
+#include "scheduler/leg_times.hpp"
 
 #include <cstdint>
 #include <map>
@@ -10,12 +11,6 @@
 #include <vector>
 
 namespace furrow::scheduler {
-
-/// One sortie in the air.
-struct SortieTimes {
-  double until_sprayed_s;  ///< From take-off to its last sprayed cell.
-  double home_s;           ///< From there to standing at the station.
-};
 
 /// The flights of one aircraft on its share, from rest to rest: where the planner counts constant
 /// speeds and sharp corners, these accelerate, brake and turn, in still air.
@@ -42,7 +37,7 @@ class FlightTimes {
     std::uint32_t from = 0, to = 0;
   };
   /// @param is_first  Whether it starts at the aircraft's first position, not at a station.
-  /// Time O(strips of the sortie).
+  /// Time O(strips in which it comes up to speed or brakes), whatever lies between.
   SortieTimes operator()(const planner::PlannedSortie& sortie, bool is_first, Ends ends) const;
   SortieTimes operator()(const planner::PlannedSortie& sortie, bool is_first) const {
     return (*this)(sortie, is_first, Ends{});
@@ -57,7 +52,12 @@ class FlightTimes {
     std::vector<FieldPoint> approach;  ///< From the run before.
     bool continues;
     bool to_its_end;  ///< Sprayed from end to end.
+    std::size_t leg;  ///< Of the whole share, that sprays it, if it has length.
     FieldPoint stop(std::uint32_t cell) const { return stops[cell - first]; }
+    bool has_length() const;
+    Corner corner(bool open) const {
+      return !to_its_end ? Corner::cut : open ? Corner::held : Corner::stop;
+    }
   };
 
   using Places = std::vector<FieldPoint>;
@@ -67,6 +67,11 @@ class FlightTimes {
     std::vector<double> late_back_s{}, late_out_s{};  ///< By cell: longer than on level land [s].
   };
   void add_stand(const planner::ReturnProblem& problem);
+  void lead_on(Legs& legs, std::size_t run) const;
+  std::size_t begin(Legs& legs, const planner::PlannedSortie& sortie, bool is_first,
+                    std::uint32_t from) const;
+  void finish(Legs& legs, std::size_t run, std::uint32_t cell, std::uint32_t to) const;
+  void time_share();
   const Places& way_home(std::uint32_t stand, std::uint32_t cell, FieldPoint stop) const;
   const Places& way_out(bool is_first, std::uint32_t stand, std::uint32_t cell,
                         FieldPoint begin) const;
@@ -79,6 +84,7 @@ class FlightTimes {
   mutable std::map<std::pair<std::uint32_t, std::uint32_t>, Places> ways_home_{};
   mutable std::map<std::tuple<bool, std::uint32_t, std::uint32_t>, Places> ways_out_{};
   std::vector<Run> runs_{};
+  LegTimes share_;
 };
 
 }  // namespace furrow::scheduler

@@ -124,11 +124,32 @@ std::vector<planner::CoverageModel> candidates(const FleetProblem& problem) {
   return models;
 }
 
+// Surveys over terrain are flown high above all obstacles.
+Length safety_of(const FleetProblem& problem) {
+  return problem.survey && problem.terrain ? Length{} : planner::safety_of(problem.coverage);
+}
+
+// Of the survey's way points.
+std::optional<PlanError> too_near_to_obstacle(FieldPoint at, const FleetProblem& problem) {
+  const Length kept = safety_of(problem);
+  if (kept <= Length{}) return std::nullopt;
+  for (const Obstacle& o : problem.field.obstacles) {
+    if (-depth_in(o, at) >= kept) continue;
+    return PlanError{PlanFault::out_of_reach,
+                     fmt::format("the way point ({:.3f}, {:.3f}) m is nearer than {} m to obstacle "
+                                 "{}",
+                                 at.x.base(), at.y.base(), kept.base(), o.id),
+                     at};
+  }
+  return std::nullopt;
+}
+
 Length corner_cut(const FleetProblem& problem) { return 0.5 * problem.vehicles.front().swath; }
 
 Expected<Sketch, PlanError> survey_sketch(const FleetProblem& problem,
                                           const planner::FerryMap& ferries) {
   for (const FieldPoint at : problem.survey->way_points) {
+    if (auto fault = too_near_to_obstacle(at, problem)) return Unexpected{std::move(*fault)};
     if (ferries.reaches(at)) continue;
     return Unexpected{PlanError{
         PlanFault::out_of_reach,
@@ -372,11 +393,7 @@ Expected<planner::FerryMap, PlanError> ferry_map(const FleetProblem& problem) {
   if (const auto* swath = std::get_if<planner::SwathSettings>(&problem.coverage)) {
     rule.hole_buffer = swath->hole_buffer;
   }
-  if (const auto& avoidance = planner::avoidance_of(problem.coverage)) {
-    for (Obstacle& o : field.obstacles) {
-      if (o.outline.empty()) o.radius += kept_safety * avoidance->safety;
-    }
-  }
+  rule.safety = kept_safety * safety_of(problem);
   std::vector<FieldPoint> stands;
   const auto add = [&](FieldPoint at) {
     if (std::find(stands.begin(), stands.end(), at) == stands.end()) stands.push_back(at);
@@ -390,9 +407,10 @@ Expected<planner::FerryMap, PlanError> ferry_map(const FleetProblem& problem) {
     return Unexpected{std::move(*fault)};
   }
   for (const planner::KeepOut& volume : relief.keep_out()) {
-    field.obstacles.push_back({.id = "keep-out",
-                               .center = at_m(volume.x_m, volume.y_m),
-                               .radius = metres(volume.radius_m) + rule.corner_cut});
+    field.obstacles.push_back(
+        {.id = "keep-out",
+         .center = at_m(volume.x_m, volume.y_m),
+         .radius = metres(volume.radius_m) + std::max(Length{}, rule.corner_cut - rule.safety)});
   }
   auto map = planner::FerryMap::over(field, rule, stands);
   if (!map) return map;
@@ -415,6 +433,7 @@ Expected<FleetPlan, PlanError> plan_fleet(const FleetProblem& problem) {
   MakespanBound bound = lower_bound(problem, s, found);
   FleetPlan plan{.route = {},
                  .sweep = s.coverage.sweep,
+                 .safety = safety_of(problem),
                  .work_direction_deg = s.coverage.direction_deg,
                  .uavs = {},
                  .makespan_s = is_joint ? joint->flown.forecast.makespan_s

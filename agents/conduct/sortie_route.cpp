@@ -49,6 +49,7 @@ std::vector<double> abeam_leg_m(const Piece& piece, const std::vector<Placed>& l
 struct PieceLegs {
   std::vector<Placed> corners;
   std::optional<double> first_bend_m{}, last_bend_m{};
+  std::vector<PieceOnPath::Closed> closed{};
 };
 
 // Lays the legs of a route around what was seen, over terrain with heights.
@@ -67,7 +68,13 @@ class Laying {
   /// Each returns where along the legs it ends [m].
   double spray(FieldPoint to, Corner corner = Corner::cut) {
     const auto bends = around_.strip_bends(at_, to, vehicle_.swath);
-    bent(bends, to, vehicle_.spray_speed, corner);
+    if (!bends) block(leg_m_, at_, to);
+    for (const StripBend& b : bends.value_or(std::vector<StripBend>{})) {
+      const double from_m = leg_m_;
+      bend(b.at, vehicle_.spray_speed);
+      if (!b.sprays) close(from_m, leg_m_);
+    }
+    level_or_over(to, vehicle_.spray_speed, corner);
     piece_.corners.push_back({at_, leg_m_});
     return leg_m_;
   }
@@ -149,13 +156,24 @@ class Laying {
   double bent(const std::optional<std::vector<FieldPoint>>& bends, FieldPoint to, Speed speed,
               Corner corner) {
     if (!bends) block(leg_m_, at_, to);
-    for (const FieldPoint bend : bends.value_or(std::vector<FieldPoint>{})) {
-      level_or_over(bend, speed, Corner::held);
-      if (!piece_.first_bend_m) piece_.first_bend_m = leg_m_;
-      piece_.last_bend_m = leg_m_;
-      piece_.corners.push_back({bend, leg_m_});
-    }
+    for (const FieldPoint at : bends.value_or(std::vector<FieldPoint>{})) bend(at, speed);
     return level_or_over(to, speed, corner);
+  }
+
+  void bend(FieldPoint at, Speed speed) {
+    level_or_over(at, speed, Corner::held);
+    if (!piece_.first_bend_m) piece_.first_bend_m = leg_m_;
+    piece_.last_bend_m = leg_m_;
+    piece_.corners.push_back({at, leg_m_});
+  }
+
+  // Of one way around, from leg to leg.
+  void close(double from_m, double to_m) {
+    if (!piece_.closed.empty() && piece_.closed.back().to_m == from_m) {
+      piece_.closed.back().to_m = to_m;
+    } else {
+      piece_.closed.push_back({from_m, to_m});
+    }
   }
 
   double level_or_over(FieldPoint to, Speed speed, Corner corner) {
@@ -210,19 +228,69 @@ void settle(SortieRoute& route) {
     p.bends_from_m = settled(p.bends_from_m);
     p.bends_to_m = settled(p.bends_to_m);
     for (double& abeam_m : p.abeam_m) abeam_m = settled(abeam_m);
-    route.spray_m += p.close_m - p.open_m;
+    for (PieceOnPath::Closed& c : p.closed) c = {settled(c.from_m), settled(c.to_m)};
+    route.spray_m += p.sprayed_m(p.open_m, p.close_m);
   }
 }
 
+// A piece that an obstacle stands on the end of, or near it, up to there. Where nothing is left it
+// stays.
+Piece clear_part(Piece piece, const Surroundings& around, Length swath) {
+  const auto part = around.clear_part(piece.entry, piece.exit, swath);
+  if (!part || (part->from == piece.entry && part->to == piece.exit)) return piece;
+  const Xy entry = xy_m(part->from), exit = xy_m(part->to), way = exit - entry;
+  const auto within = [&](FieldPoint p) {
+    const double share = dot(xy_m(p) - entry, way) / dot(way, way);
+    return share <= 0.0 ? part->from : share >= 1.0 ? part->to : p;
+  };
+  piece.from = within(piece.from);
+  piece.to = within(piece.to);
+  piece.entry = part->from;
+  piece.exit = part->to;
+  return piece;
+}
+
 // Takes note of the way around obstacles, if there is one.
-void bend(PieceOnPath& piece, const PieceLegs& legs) {
-  if (!legs.first_bend_m) return;
+void bend(PieceOnPath& piece, const PieceLegs& legs, bool is_shorter) {
+  if (!legs.first_bend_m && !is_shorter) return;
   piece.abeam_m = abeam_leg_m(piece.piece, legs.corners);
+  if (!legs.first_bend_m) return;
   piece.bends_from_m = *legs.first_bend_m;
   piece.bends_to_m = *legs.last_bend_m;
+  piece.closed = legs.closed;
 }
 
 }  // namespace
+
+bool PieceOnPath::is_sprayed(double along_m) const {
+  return along_m >= open_m && along_m < close_m &&
+         std::none_of(closed.begin(), closed.end(), [along_m](const Closed& c) {
+           return along_m >= c.from_m && along_m < c.to_m;
+         });
+}
+
+double PieceOnPath::sprayed_m(double begin_m, double end_m) const {
+  const auto length_m = [&](double low_m, double high_m) {
+    return std::max(0.0, std::min(end_m, high_m) - std::max(begin_m, low_m));
+  };
+  double sum_m = length_m(open_m, close_m);
+  for (const Closed& c : closed) sum_m -= length_m(c.from_m, c.to_m);
+  return sum_m;
+}
+
+double PieceOnPath::valve_moves_m(double begin_m, double end_m) const {
+  double last_m = -1.0;
+  const auto note = [&](double at_m) {
+    if (at_m > begin_m && at_m <= end_m) last_m = std::max(last_m, at_m);
+  };
+  note(open_m);
+  note(close_m);
+  for (const Closed& c : closed) {
+    note(c.from_m);
+    note(c.to_m);
+  }
+  return last_m < 0.0 ? end_m : last_m;
+}
 
 double SortieRoute::cell_m(std::size_t piece, std::uint32_t index) const {
   const PieceOnPath& p = pieces[piece];
@@ -241,13 +309,14 @@ SortieRoute sortie_route(Xy from_m, std::span<const Piece> pieces, Xy to_m, cons
                     .spray_m = 0.0};
   Laying lay{route, from_m, v, ferries, around, begins};
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    const Piece& piece = pieces[i];
-    const bool to_its_end = !(piece.exit == piece.to);
+    const Piece& whole = pieces[i];
+    const Piece piece = clear_part(whole, around, v.swath);
+    const bool to_its_end = !(whole.exit == whole.to);
     const auto meets = [](const Piece& before, const Piece& after) {
       return norm(xy_m(after.entry) - xy_m(before.exit)) < same_place_m;
     };
-    const bool continues = i > 0 && meets(pieces[i - 1], piece);
-    const bool goes_on = i + 1 < pieces.size() && meets(piece, pieces[i + 1]);
+    const bool continues = i > 0 && meets(pieces[i - 1], whole);
+    const bool goes_on = i + 1 < pieces.size() && meets(whole, pieces[i + 1]);
     const auto corner = [&](bool open) {
       return !to_its_end ? Corner::cut : open ? Corner::held : Corner::stop;
     };
@@ -263,8 +332,9 @@ SortieRoute sortie_route(Xy from_m, std::span<const Piece> pieces, Xy to_m, cons
       from = open + distance(piece.entry, piece.from).base();
       close = lay.spray(piece.exit, corner(goes_on));
     }
-    route.pieces.push_back({piece, open, close, from, spacing(piece), 0.0});
-    bend(route.pieces.back(), lay.since_mark());
+    route.pieces.push_back({whole, open, close, from, spacing(whole), 0.0});
+    const bool is_shorter = !(piece.entry == whole.entry && piece.exit == whole.exit);
+    bend(route.pieces.back(), lay.since_mark(), is_shorter);
   }
   lay.ferry(field_point(to_m));
   route.path.finish();

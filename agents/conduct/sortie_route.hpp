@@ -23,6 +23,18 @@ struct PieceOnPath {
   /// and the stretch off its line. A cell there counts when it is passed abeam.
   std::vector<double> abeam_m{};
   double bends_from_m = 0.0, bends_to_m = 0.0;
+  /// Where the valve is closed on the way around, in order.
+  struct Closed {
+    double from_m, to_m;
+  };
+  std::vector<Closed> closed{};
+
+  /// Whether the valve may be open there.
+  bool is_sprayed(double along_m) const;
+  /// How much is sprayed between.
+  double sprayed_m(double begin_m, double end_m) const;
+  /// The last place after `begin_m` and up to `end_m` where the valve moves; `end_m` without one.
+  double valve_moves_m(double begin_m, double end_m) const;
 
   /// Whether it is flown around an obstacle there.
   bool is_beside_its_line(double along_m) const {

@@ -1,8 +1,6 @@
 #include "agents/conduct/surroundings.hpp"
 
-#include "agents/xy.hpp"
 #include "planner/avoidance/clear_way.hpp"
-#include "planner/avoidance/onboard.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -18,20 +16,33 @@ constexpr double way_out_m = 0.05;  // beyond the clearance
 constexpr int most_crowds = 100;    // on one leg
 
 // From one crowd of obstacles to the next.
-std::optional<Bends> bends(FieldPoint from, FieldPoint to, Length swath, const planner::Room& room,
-                           Length turn_radius) {
+std::optional<std::vector<StripBend>> detours(FieldPoint from, FieldPoint to, Length swath,
+                                              const planner::Room& room, Length turn_radius,
+                                              planner::DetourWeights weights) {
   const Xy ahead = xy_m(to) - xy_m(from);
   if (norm(ahead) < same_place_m) return std::nullopt;  // and that place is too near
   planner::OnboardLine line{{from, std::atan2(ahead.y, ahead.x)}, from, to, swath};
-  Bends all;
+  std::vector<StripBend> all;
   for (int i = 0; i < most_crowds; ++i) {
-    const auto detour = planner::onboard_detour(line, room, turn_radius);
+    const auto detour = planner::onboard_detour(line, room, turn_radius, weights);
     if (!detour && detour.error() == planner::NoDetour::nothing_ahead) return all;
     if (!detour || detour->way.size() < 2) return std::nullopt;  // or it leads nowhere
-    all.insert(all.end(), detour->way.begin() + 1, detour->way.end());
-    line.pose.at = all.back();
+    for (std::size_t k = 1; k < detour->way.size(); ++k) {
+      all.push_back({detour->way[k], detour->sprays || k <= detour->leaves});
+    }
+    line.pose.at = all.back().at;
   }
   return std::nullopt;
+}
+
+// Of a ferry, as short as can be.
+std::optional<Bends> bends(FieldPoint from, FieldPoint to, Length swath, const planner::Room& room,
+                           Length turn_radius) {
+  const auto found = detours(from, to, swath, room, turn_radius, {.length = 1.0, .area = 0.0});
+  if (!found) return std::nullopt;
+  Bends all;
+  for (const StripBend& bend : *found) all.push_back(bend.at);
+  return all;
 }
 
 planner::PointM plane(FieldPoint p) { return {p.x.base(), p.y.base()}; }
@@ -86,9 +97,66 @@ std::optional<double> Surroundings::clear_m(FieldPoint from, FieldPoint to) cons
   return clear;
 }
 
-std::optional<Bends> Surroundings::strip_bends(FieldPoint from, FieldPoint to, Length swath) const {
-  if (!clear_m(from, to)) return Bends{};
-  return bends(from, to, swath, room_, rule_.turn_radius);
+// Where along a line of unit vector `ahead` from `from` the clearance of `o` that holds the place
+// at `along_m` ends [m].
+double Surroundings::leaves_m(const SeenObstacle& o, Xy from, Xy ahead) const {
+  const Xy there = xy_m(o.center) - from;
+  const double along = dot(there, ahead), beside_square = dot(there, there) - along * along;
+  return along + std::sqrt(std::max(0.0, kept_m(o) * kept_m(o) - beside_square)) + way_out_m;
+}
+
+// The first clear place from `at_m` on.
+std::optional<double> Surroundings::first_clear_m(Xy from, Xy ahead, double length_m,
+                                                  double at_m) const {
+  for (std::size_t i = 0; i <= seen_.size() && at_m <= length_m; ++i) {
+    const FieldPoint place = field_point(from + at_m * ahead);
+    const auto near = std::find_if(seen_.begin(), seen_.end(), [&](const SeenObstacle& o) {
+      return distance(place, o.center).base() < kept_m(o);
+    });
+    if (near == seen_.end()) return at_m;
+    at_m = leaves_m(*near, from, ahead);
+  }
+  return std::nullopt;
+}
+
+// Where a strip may begin: at the first clear place, or behind an obstacle that leaves no room for
+// turns before it.
+std::vector<double> Surroundings::beginnings_m(Xy from, Xy ahead, double length_m) const {
+  const auto first_m = first_clear_m(from, ahead, length_m, 0.0);
+  if (!first_m) return {};
+  std::vector<double> all{*first_m};
+  const FieldPoint begin = field_point(from + *first_m * ahead);
+  const auto clear = clear_m(begin, field_point(from + length_m * ahead));
+  if (!clear || *clear > 2.0 * (rule_.turn_radius + rule_.clearance).base()) return all;
+  const auto behind_m = first_clear_m(from, ahead, length_m, *first_m + *clear + way_out_m);
+  if (behind_m) all.push_back(*behind_m);
+  return all;
+}
+
+std::optional<Surroundings::ClearPart> Surroundings::clear_part(FieldPoint from, FieldPoint to,
+                                                                Length swath) const {
+  if (!clear_m(from, to)) return ClearPart{from, to};
+  const Xy way = xy_m(to) - xy_m(from);
+  const double length_m = norm(way);
+  if (length_m < same_place_m) return std::nullopt;
+  const Xy ahead = (1.0 / length_m) * way;
+  std::optional<ClearPart> widest;
+  for (const double ends_m : beginnings_m(xy_m(to), -1.0 * ahead, length_m)) {
+    for (const double begins_m : beginnings_m(xy_m(from), ahead, length_m)) {
+      if (begins_m + ends_m >= length_m) continue;
+      const ClearPart part{begins_m > 0.0 ? field_point(xy_m(from) + begins_m * ahead) : from,
+                           ends_m > 0.0 ? field_point(xy_m(to) - ends_m * ahead) : to};
+      if (!widest) widest = part;
+      if (strip_bends(part.from, part.to, swath)) return part;
+    }
+  }
+  return widest;
+}
+
+std::optional<std::vector<StripBend>> Surroundings::strip_bends(FieldPoint from, FieldPoint to,
+                                                                Length swath) const {
+  if (!clear_m(from, to)) return std::vector<StripBend>{};
+  return detours(from, to, swath, room_, rule_.turn_radius, rule_.weights);
 }
 
 // The nearest place clear of the obstacle that is too near, if one is.

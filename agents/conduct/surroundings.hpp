@@ -1,8 +1,9 @@
 #pragma once
 // What an aircraft knows of obstacles that no plan knew, and how it gets past them.
 
+#include "agents/xy.hpp"
 #include "core/work.hpp"
-#include "planner/avoidance/room.hpp"
+#include "planner/avoidance/onboard.hpp"
 
 #include <optional>
 #include <vector>
@@ -14,7 +15,14 @@ struct AvoidanceRule {
   planner::Room planned{{}, {}, {}};  ///< The land with the obstacles that the plan knew.
   planner::Room beyond{{}, {}, {}};   ///< The same without the field's boundary.
   Length clearance{};                 ///< From the edge of every other, >= 0.
-  Length turn_radius = metres(1);     ///< Of detours with the valve open, > 0.
+  Length turn_radius = metres(1);     ///< Of detours on strips, > 0.
+  planner::DetourWeights weights{};   ///< By which they are chosen.
+};
+
+/// A way point on a strip around what was seen.
+struct StripBend {
+  FieldPoint at;
+  bool sprays;  ///< Whether the valve is open on the way to it.
 };
 
 /// A ferry around what was seen.
@@ -45,14 +53,22 @@ class Surroundings {
   /// of it.
   std::optional<double> clear_m(FieldPoint from, FieldPoint to) const;
 
-  /// Way points of a detour from `from` to `to` with the valve open: inside the land, arcs of the
-  /// turn radius, the side by length and ground missed or sprayed twice. Every bend but the ends.
+  struct ClearPart {
+    FieldPoint from, to;
+  };
+  /// The part of a strip from `from` to `to` that can be flown: it begins and ends clear of all
+  /// that was seen, and behind or before an obstacle so near to an end that no detour fits there.
+  /// @return  Nothing where no end is clear.
+  std::optional<ClearPart> clear_part(FieldPoint from, FieldPoint to, Length swath) const;
+
+  /// Way points of a detour on a strip from `from` to `to`: inside the land, arcs of the turn
+  /// radius, side and valve by length and ground missed or sprayed twice. Every bend but the ends.
   /// None where the straight way is clear.
   /// @return  Nothing where no detour fits.
-  std::optional<std::vector<FieldPoint>> strip_bends(FieldPoint from, FieldPoint to,
-                                                     Length swath) const;
+  std::optional<std::vector<StripBend>> strip_bends(FieldPoint from, FieldPoint to,
+                                                    Length swath) const;
 
-  /// The same with the valve closed: inside the land where there is a way, else outside; tighter
+  /// Those of a ferry: inside the land where there is a way, else outside; tighter
   /// turns where arcs of the turn radius do not fit, corners where none do; out of the clearance
   /// first, where it begins too near.
   /// @return  Nothing where it ends too near to an obstacle.
@@ -60,6 +76,9 @@ class Surroundings {
 
  private:
   double kept_m(const SeenObstacle& obstacle) const;
+  double leaves_m(const SeenObstacle& obstacle, Xy from, Xy ahead) const;
+  std::optional<double> first_clear_m(Xy from, Xy ahead, double length_m, double at_m) const;
+  std::vector<double> beginnings_m(Xy from, Xy ahead, double length_m) const;
   std::optional<FieldPoint> way_out(FieldPoint from) const;
 
   AvoidanceRule rule_;

@@ -175,6 +175,13 @@ struct SurveyFigures {
   std::uint32_t uncertain;  ///< Passed in truth, without proof.
 };
 
+/// Obstacles that the plan did not know.
+struct MetFigures {
+  std::size_t obstacles = 0;
+  std::size_t detours = 0, closed = 0;  ///< Ways around them flown, valve open and valve closed.
+  std::size_t blocked = 0;              ///< Holds for want of one.
+};
+
 struct Result {
   std::string scenario;
   std::uint64_t seed;
@@ -184,7 +191,8 @@ struct Result {
   FieldFigures field;
   std::optional<exchange::Datum> datum;        ///< Where on the globe the field frame lies.
   std::optional<planner::SweepFigures> sweep;  ///< As of planner::Coverage.
-  std::optional<SurveyFigures> survey;         ///< Then there is nothing to cover.
+  MetFigures met;
+  std::optional<SurveyFigures> survey;  ///< Then there is nothing to cover.
   CoverageFigures coverage;
   FootprintFigures footprint;
   FleetFigures fleet;

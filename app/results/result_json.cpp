@@ -39,7 +39,14 @@ Json json(const planner::AvoidanceFigures& f) {
           {"extra_m", rounded(f.extra.base())}};
 }
 
-Json json(const planner::AvoidanceRecord& r) {
+Json json(const MetFigures& m) {
+  return {{"obstacles", m.obstacles},
+          {"detours", m.detours},
+          {"closed", m.closed},
+          {"blocked", m.blocked}};
+}
+
+Json json(const planner::AvoidanceRecord& r, const MetFigures& met) {
   Json made = json(r.planned);
   made.update({{"safety_m", rounded(r.safety.base())},
                {"targets", r.planned.targets},
@@ -52,18 +59,19 @@ Json json(const planner::AvoidanceRecord& r) {
                {"dubins_turns", r.turns},
                {"turned_on_the_spot", r.unturned},
                {"unjoined", r.unjoined},
+               {"met", json(met)},
                {"classic", json(r.classic)}});
   return made;
 }
 
-Json json(const planner::SweepFigures& s) {
+Json json(const planner::SweepFigures& s, const MetFigures& met) {
   return {{"parts", s.parts},
           {"sprayed_m", rounded(s.sprayed.base())},
           {"route_m", rounded(s.route.base())},
           {"order_bound_m", rounded(s.order_bound.base())},
           {"order_exact", s.order_exact},
           {"dropped_m2", rounded(s.dropped.base())},
-          {"avoidance", s.avoidance ? json(*s.avoidance) : Json{}}};
+          {"avoidance", s.avoidance ? json(*s.avoidance, met) : Json{}}};
 }
 
 Json json(const SurveyFigures& s) {
@@ -242,7 +250,7 @@ std::string result_json(const Result& r) {
            {"completed", r.completed},
            {"field", json(r.field)},
            {"datum", datum_json(r.datum)},
-           {"sweep", r.sweep ? json(*r.sweep) : Json{}},
+           {"sweep", r.sweep ? json(*r.sweep, r.met) : Json{}},
            {"coverage", json(r.coverage)},
            {"footprint", json(r.footprint)},
            {"fleet", json(r.fleet)},

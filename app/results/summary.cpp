@@ -414,6 +414,7 @@ Result summary(const MissionRecord& record, const Flown& flown) {
   r.datum = record.scenario.datum;
   r.uavs = uav_figures(record, flown);
   r.sweep = record.plan.sweep;
+  r.met = met_figures(record.log);
   if (planner::is_survey(record.plan.route)) {
     r.survey = is_flown ? flown_survey(flown) : planned_survey(record);
   } else if (!r.sweep) {

@@ -1,5 +1,7 @@
 #include "app/results/sweep_coverage.hpp"
 
+#include <algorithm>
+
 namespace furrow::app {
 namespace {
 
@@ -29,6 +31,37 @@ std::vector<planner::FlownPlace> places(const planner::Route& route) {
 
 }  // namespace
 
+std::vector<SeenObstacle> seen_obstacles(const std::vector<Envelope>& log) {
+  std::vector<SeenObstacle> seen;
+  for (const Envelope& e : log) {
+    const auto* sighting = std::get_if<ObstacleSeen>(&e.body);
+    if (sighting == nullptr) continue;
+    const bool is_known = std::find(seen.begin(), seen.end(), sighting->obstacle) != seen.end();
+    if (!is_known) seen.push_back(sighting->obstacle);
+  }
+  return seen;
+}
+
+MetFigures met_figures(const std::vector<Envelope>& log) {
+  MetFigures figures{.obstacles = seen_obstacles(log).size()};
+  for (const Envelope& e : log) {
+    const auto* event = std::get_if<Event>(&e.body);
+    if (event == nullptr) continue;
+    if (event->kind == "detour_sprayed") ++figures.detours;
+    if (event->kind == "detour_closed") ++figures.closed;
+    if (event->kind == "way_blocked") ++figures.blocked;
+  }
+  return figures;
+}
+
+Field known_field(const MissionRecord& record) {
+  Field field = record.scenario.field;
+  for (const SeenObstacle& o : seen_obstacles(record.log)) {
+    field.obstacles.push_back({.id = "met in flight", .center = o.center, .radius = o.radius});
+  }
+  return field;
+}
+
 std::vector<std::vector<planner::FlownPlace>> sprayed_tracks(const MissionRecord& record,
                                                              const Flown* flown) {
   if (flown == nullptr) return {places(record.plan.route)};
@@ -39,9 +72,17 @@ std::vector<std::vector<planner::FlownPlace>> sprayed_tracks(const MissionRecord
 
 planner::SprayedAreas sweep_areas(const MissionRecord& record, const Flown* flown) {
   if (flown == nullptr) return record.plan.sweep->areas;
-  const auto coverage = planner::flown_coverage(
-      record.scenario.field, record.scenario.uavs.front().swath, sprayed_tracks(record, flown));
-  return coverage ? coverage->areas : planner::SprayedAreas{};  // the plan has judged the field
+  const auto tracks = sprayed_tracks(record, flown);
+  const auto areas = [&](const Field& field) {
+    const auto coverage =
+        planner::flown_coverage(field, record.scenario.uavs.front().swath, tracks);
+    return coverage ? coverage->areas : planner::SprayedAreas{};  // the plan has judged the field
+  };
+  planner::SprayedAreas made = areas(record.scenario.field);
+  const Field known = known_field(record);
+  const bool met_some = known.obstacles.size() > record.scenario.field.obstacles.size();
+  if (met_some) made.missed = areas(known).missed;  // what was sprayed there before stays sprayed
+  return made;
 }
 
 CoverageFigures sweep_coverage(const CoverageFigures& cells, const planner::SweepFigures& sweep,

@@ -137,7 +137,8 @@ LandParts widened(const std::vector<FootprintM>& footprints) {
 }  // namespace
 
 WrongArea area_in(const WindowM& window, const std::vector<FootprintM>& straight,
-                  const std::vector<CircleM>& circles, const std::vector<FootprintM>& flown) {
+                  const std::vector<CircleM>& circles, const std::vector<FootprintM>& flown,
+                  const std::vector<RingM>& rings) {
   const double count = std::max(1.0, std::ceil((window.high_m - window.low_m) / line_step_m));
   const double step_m = (window.high_m - window.low_m) / count;
   const Lines lines{window.low_m + step_m / 2, step_m, static_cast<std::size_t>(count)};
@@ -152,6 +153,7 @@ WrongArea area_in(const WindowM& window, const std::vector<FootprintM>& straight
   };
   for (const FootprintM& f : straight) add(spans_of(outline(f), window, lines), Layer::planned);
   for (const CircleM& c : circles) add(spans_of(c, window, lines), Layer::excluded);
+  for (const RingM& ring : rings) add(spans_of(ring, window, lines), Layer::excluded);
   for (const FootprintM& f : flown) add(spans_of(outline(f), window, lines), Layer::flown);
   WrongArea sum{0, 0};
   for (std::vector<Edge>& line : edges) {
@@ -163,13 +165,19 @@ WrongArea area_in(const WindowM& window, const std::vector<FootprintM>& straight
 }
 
 WrongArea area_of(const std::vector<FootprintM>& straight, const std::vector<CircleM>& circles,
-                  const std::vector<FootprintM>& flown) {
+                  const std::vector<FootprintM>& flown, const std::vector<RingM>& rings) {
   const LandParts sprayed = widened(flown), once = united(sprayed);
-  // What is not sprayed is in few places: the circles are taken from it alone.
+  // What is not sprayed is in few places: obstacles are taken from it alone.
   LandParts missed = subtracted(united(widened(straight)), once), taken;
   for (const CircleM& c : circles) taken.push_back(disc(c));
+  for (const RingM& ring : rings) taken.push_back({ring, {}});
   if (!missed.empty() && !taken.empty()) missed = subtracted(missed, united(taken));
   return {area_m2(missed), std::max(0.0, area_m2(sprayed) - area_m2(once))};
+}
+
+double repeated_m2(const std::vector<FootprintM>& flown) {
+  const LandParts sprayed = widened(flown);
+  return std::max(0.0, area_m2(sprayed) - area_m2(united(sprayed)));
 }
 
 double backswept_m2(double turn_rad, double radius_m, double half_m) {

@@ -16,7 +16,7 @@ struct FootprintM {
 };
 
 struct WrongArea {
-  double missed_m2;    ///< Of what straight passes cover, outside circles, and nothing sprays.
+  double missed_m2;    ///< Of what straight passes cover, outside obstacles, and nothing sprays.
   double repeated_m2;  ///< Sprayed again, counted each further time.
   double sum_m2() const { return missed_m2 + repeated_m2; }
 };
@@ -31,11 +31,15 @@ struct WindowM {
 /// Wrong area within `window`: widths are measured exactly on lines across the pass, a quarter of a
 /// metre apart. Ground that one footprint passes twice counts once.
 WrongArea area_in(const WindowM& window, const std::vector<FootprintM>& straight,
-                  const std::vector<CircleM>& circles, const std::vector<FootprintM>& flown);
+                  const std::vector<CircleM>& circles, const std::vector<FootprintM>& flown,
+                  const std::vector<RingM>& rings = {});
 
 /// Wrong area of everything, from the union of footprints.
 WrongArea area_of(const std::vector<FootprintM>& straight, const std::vector<CircleM>& circles,
-                  const std::vector<FootprintM>& flown);
+                  const std::vector<FootprintM>& flown, const std::vector<RingM>& rings = {});
+
+/// What footprints spray again, counted each further time.
+double repeated_m2(const std::vector<FootprintM>& flown);
 
 /// Repeated by the inner end of a boom half as wide as `half_m` that runs backwards in turns
 /// tighter than itself: (half - r)^2 / 2 for each radian turned.

@@ -49,10 +49,9 @@ class Ways {
     std::vector<InsidePaths>& made = more_m > 0 ? wide_ : tight_;
     if (!made.empty()) return made;
     Field ground = field_;
-    for (Obstacle& o : ground.obstacles) {
-      o.radius += settings_.avoidance->safety + metres(tracking_room_m + more_m);
-    }
-    const auto land = field_land(ground, settings_.margin, settings_.hole_buffer);
+    for (Obstacle& o : ground.obstacles) o.radius += metres(more_m);
+    const auto land = field_land(ground, settings_.margin, settings_.hole_buffer,
+                                 settings_.avoidance->safety + metres(tracking_room_m));
     if (!land) return made;
     for (LandPart part : land->flight) {
       for (PointM& p : part.outer) p = p + land->origin;
@@ -234,18 +233,19 @@ AvoidanceRecord record_of(const std::vector<StraightStrip>& strips, const Room& 
 
 }  // namespace
 
-Field without_round_obstacles(Field field) {
-  std::erase_if(field.obstacles, [](const Obstacle& o) { return o.outline.empty(); });
+Field without_led_around(Field field, Length swath) {
+  std::erase_if(field.obstacles, [&](const Obstacle& o) { return is_led_around(o, swath); });
   return field;
 }
 
-Expected<RowsAround, PlanError> rows_around(const Field& field, const std::vector<SwathStrip>& rows,
+Expected<RowsAround, PlanError> rows_around(const Field& field, Length swath,
+                                            const std::vector<SwathStrip>& rows,
                                             const SwathSettings& settings) {
   require(settings.avoidance.has_value(), "obstacles are flown around by settings");
   const auto land = field_land(field, settings.margin, settings.hole_buffer);
   if (!land) return Unexpected{land.error()};
   const auto room = room_of(field, settings.margin, settings.hole_buffer,
-                            settings.avoidance->safety + metres(tracking_room_m));
+                            settings.avoidance->safety + metres(tracking_room_m), swath);
   if (!room) return Unexpected{room.error()};
 
   const auto strips = straight_strips(rows, settings.row_overlap.value_or(Length{}));
@@ -276,10 +276,11 @@ Expected<SwathCoverage, PlanError> coverage_around(const Field& field, Length sw
                                                    const SwathSettings& settings,
                                                    std::optional<AvoidanceRecord>& record) {
   SwathSettings straight = settings;
+  straight.safety = settings.avoidance->safety;
   straight.avoidance.reset();
-  auto made = swath_coverage(without_round_obstacles(field), swath, straight);
+  auto made = swath_coverage(without_led_around(field, swath), swath, straight);
   if (!made) return made;
-  auto around = rows_around(field, made->strips, settings);
+  auto around = rows_around(field, swath, made->strips, settings);
   if (!around) return Unexpected{around.error()};
   record = around->record;
   made->strips = std::move(around->strips);

@@ -17,7 +17,7 @@ struct AvoidanceRecord {
   std::size_t unjoined = 0;  ///< Strips to which no clear way inside leads from the one before.
 };
 
-/// Rows led around the round obstacles of a field.
+/// Rows led around the obstacles of a field; see `is_led_around`.
 struct RowsAround {
   std::vector<SwathStrip> strips;  ///< As of `coverage_around`, in the order flown; may be none.
   std::vector<std::size_t> rows;   ///< The row that each strip is of.
@@ -33,14 +33,16 @@ struct RowsAround {
 /// @pre    `settings.avoidance` has a value.
 /// @error  field_invalid     See `field_land`; or obstacles cut the field.
 /// @error  nothing_to_spray  No strip is left.
-Expected<RowsAround, PlanError> rows_around(const Field& field, const std::vector<SwathStrip>& rows,
+Expected<RowsAround, PlanError> rows_around(const Field& field, Length swath,
+                                            const std::vector<SwathStrip>& rows,
                                             const SwathSettings& settings);
 
-/// `field` without its round obstacles: what rows are laid on that run on past them.
-Field without_round_obstacles(Field field);
+/// `field` without the obstacles that rows are led around: what rows are laid on that run on past
+/// them.
+Field without_led_around(Field field, Length swath);
 
-/// `swath_coverage` with rows that run on past round obstacles and fly around them. Each leg of a
-/// detour is a strip of its own that begins where the one before ends. Outlined obstacles end rows.
+/// `swath_coverage` with rows that run on past obstacles and are led around them. Each leg of a
+/// detour is a strip of its own that begins where the one before ends.
 ///
 /// @pre    `settings.avoidance` has a value.
 /// @param record  Set where there is a coverage.

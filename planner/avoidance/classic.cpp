@@ -26,9 +26,9 @@ PathM classic_path(const PassM& pass, const std::vector<TargetM>& targets, Class
   for (const TargetM& target : targets) {
     for (const CircleM& c : target.circles) {
       const PointM at = frame.to(c.center - pass.a);
-      if (std::abs(at.y) >= c.radius_m) continue;
       const double side = rule == ClassicSide::left || at.y <= 0 ? 1 : -1;
       const double radius_m = radius_over(side * at.y, c.radius_m);
+      if (radius_m <= 0) continue;
       halves.push_back({at.x - radius_m, at.x + radius_m, side});
     }
   }

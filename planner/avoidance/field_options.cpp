@@ -23,6 +23,17 @@ double backswept_of(const CurveM& curve, double half_m) {
   return sum;
 }
 
+// Of barriers that come within `reach_m` of `at`.
+std::vector<RingM> rings_near(const Room& room, PointM at, double reach_m) {
+  std::vector<RingM> near;
+  for (const BarrierM& barrier : room.barriers()) {
+    PathM outline = barrier.ring;
+    outline.push_back(outline.front());
+    if (distance_m(at, outline) < reach_m) near.push_back(barrier.ring);
+  }
+  return near;
+}
+
 void append(PathM& path, PointM at) {
   if (path.empty() || norm(at - path.back()) > 1e-9) path.push_back(at);
 }
@@ -35,18 +46,32 @@ double wrong_alone_m2(const std::vector<PassM>& passes, const CrowdOption& optio
   const double half_m = pass.width_m / 2;
   const RowFrame frame = RowFrame::along(pass.b - pass.a);
   const WindowM window{pass.a, frame, option.low_m - half_m, option.high_m + half_m};
+  std::vector<FootprintM> straight, flown;
+  const auto fly = [&](PathM path) {
+    if (path.size() > 1) flown.push_back({std::move(path), half_m});
+  };
   PathM path{pass.a};
-  const double sample_m = sample_rad / std::abs(option.curve.bends.front().curvature_per_m);
-  for (const PointM at : sampled(option.curve, sample_m)) append(path, at);
+  if (option.conduct == Conduct::sprayed) {
+    const double sample_m = sample_rad / std::abs(option.curve.bends.front().curvature_per_m);
+    for (const PointM at : sampled(option.curve, sample_m)) append(path, at);
+  } else {
+    append(path, along(pass, option.low_m));
+    fly(std::move(path));
+    path = {along(pass, option.high_m)};
+  }
   append(path, pass.b);
-  std::vector<FootprintM> straight, flown{{std::move(path), half_m}};
+  fly(std::move(path));
   for (const PassM& p : passes) straight.push_back({{p.a, p.b}, p.width_m / 2});
   flown.insert(flown.end(), straight.begin() + 1, straight.end());
   std::vector<CircleM> circles;
   for (const std::size_t i : room.circles_near(pass.a, pass.b, 2 * pass.width_m)) {
     circles.push_back(room.circles()[i]);
   }
-  return area_in(window, straight, circles, flown).sum_m2() + backswept_of(option.curve, half_m);
+  const bool sprays = option.conduct == Conduct::sprayed;
+  const PointM middle = along(pass, (option.low_m + option.high_m) / 2);
+  const auto rings = rings_near(room, middle, option.high_m - option.low_m + 2 * pass.width_m);
+  return area_in(window, straight, circles, flown, rings).sum_m2() +
+         (sprays ? backswept_of(option.curve, half_m) : 0.0);
 }
 
 FieldOptions::FieldOptions(std::vector<PassM> passes, const Room& room, double turn_m)
@@ -81,7 +106,8 @@ FieldOptions::Window FieldOptions::window_of(std::size_t c, const Room& room) co
       aside_m = std::max(aside_m, std::abs(frame.to(p - pass.a).y));
     }
   }
-  Window window{{pass.a, frame, low_m - half_m, high_m + half_m}, {}, 0, aside_m + half_m, {}, {}};
+  Window window{
+      {pass.a, frame, low_m - half_m, high_m + half_m}, {}, 0, aside_m + half_m, {}, {}, {}};
   window.middle = along(pass, (low_m + high_m) / 2);
   window.radius_m = std::hypot((high_m - low_m) / 2 + half_m, aside_m + half_m);
   for (std::size_t p = 0; p < passes_.size(); ++p) {
@@ -93,6 +119,7 @@ FieldOptions::Window FieldOptions::window_of(std::size_t c, const Room& room) co
   for (const std::size_t i : room.circles_near(window.middle, window.middle, window.radius_m)) {
     window.circles.push_back(room.circles()[i]);
   }
+  window.rings = rings_near(room, window.middle, window.radius_m);
   return window;
 }
 
@@ -128,7 +155,7 @@ double FieldOptions::wrong_m2(const Window& window, const std::vector<Taken>& ta
     straight.push_back({{pass.a, pass.b}, pass.width_m / 2});
     for (FootprintM& f : footprints(p, taken)) flown.push_back(std::move(f));
   }
-  return area_in(window.lines, straight, window.circles, flown).sum_m2();
+  return area_in(window.lines, straight, window.circles, flown, window.rings).sum_m2();
 }
 
 // Whether their windows meet, seen along the pass of `a`.

@@ -43,6 +43,7 @@ class FieldOptions {
     double aside_m;                   // to each side of the pass, all that the options may change
     std::vector<std::size_t> passes;  // whose footprints may reach into it
     std::vector<CircleM> circles;
+    std::vector<RingM> rings;
   };
   struct Taken {
     std::size_t crowd, option;

@@ -136,18 +136,36 @@ AvoidedStrip strip_around(const FieldOptions& field, std::size_t p, const Select
 
 void set_areas(AvoidanceFigures& figures, const FieldOptions& field, const Room& room,
                const std::vector<FootprintM>& flown, double backswept_m2) {
-  const WrongArea area = area_of(field.straight(), room.circles(), flown);
-  const WrongArea without = area_of(field.straight(), room.circles(), field.straight());
+  std::vector<RingM> rings;
+  for (const BarrierM& barrier : room.barriers()) rings.push_back(barrier.ring);
+  const WrongArea area = area_of(field.straight(), room.circles(), flown, rings);
+  const double without_m2 = repeated_m2(field.straight());
   figures.missed = square_metres(area.missed_m2);
-  figures.repeated =
-      square_metres(std::max(0.0, area.repeated_m2 - without.repeated_m2) + backswept_m2);
+  figures.repeated = square_metres(std::max(0.0, area.repeated_m2 - without_m2) + backswept_m2);
+}
+
+// Half circles over what stands beside the line too, where one over a target would enter it.
+PathM classic_path_clear(const PassM& pass, const Room& room) {
+  std::vector<TargetM> targets = targets_of(pass, room);
+  std::vector<bool> is_taken(room.circles().size(), false);
+  for (;;) {
+    PathM path = classic_path(pass, targets, ClassicSide::left);
+    bool is_clear = true;
+    for (const std::size_t i : room.entered(path)) {
+      if (is_taken[i]) continue;
+      is_taken[i] = true;
+      is_clear = false;
+      targets.push_back({{room.circles()[i]}});
+    }
+    if (is_clear) return path;
+  }
 }
 
 AvoidancePlan classic_plan(const FieldOptions& field, const Room& room, AvoidanceFigures figures) {
   AvoidancePlan plan{{}, figures};
   std::vector<FootprintM> flown;
   for (const PassM& pass : field.passes()) {
-    PathM path = classic_path(pass, targets_of(pass, room), ClassicSide::left);
+    PathM path = classic_path_clear(pass, room);
     plan.figures.extra += metres(length_m(path) - pass.length_m());
     append(plan.strips.emplace_back(), true, path);
     flown.push_back({std::move(path), pass.width_m / 2});
@@ -159,11 +177,15 @@ AvoidancePlan classic_plan(const FieldOptions& field, const Room& room, Avoidanc
 
 }  // namespace
 
+bool is_led_around(const Obstacle& obstacle, Length swath) {
+  return obstacle.outline.empty() || obstacle.radius <= 2.0 * swath;
+}
+
 Expected<Room, PlanError> room_of(const Field& field, Length margin, Length hole_buffer,
-                                  Length safety) {
+                                  Length safety, Length swath) {
   Field ground = field;
-  std::erase_if(ground.obstacles, [](const Obstacle& o) { return o.outline.empty(); });
-  auto land = field_land(ground, margin, hole_buffer);
+  std::erase_if(ground.obstacles, [&](const Obstacle& o) { return is_led_around(o, swath); });
+  auto land = field_land(ground, margin, hole_buffer, safety);
   if (!land) return Unexpected{land.error()};
   for (LandPart& part : land->flight) {
     for (PointM& p : part.outer) p = p + land->origin;
@@ -172,11 +194,18 @@ Expected<Room, PlanError> room_of(const Field& field, Length margin, Length hole
     }
   }
   std::vector<CircleM> circles;
+  std::vector<BarrierM> barriers;
   for (const Obstacle& o : field.obstacles) {
-    if (!o.outline.empty()) continue;
-    circles.push_back({plane(o.center), (o.radius + safety).base()});
+    if (!is_led_around(o, swath)) continue;
+    if (o.outline.empty()) {
+      circles.push_back({plane(o.center), (o.radius + safety).base()});
+      continue;
+    }
+    BarrierM& barrier = barriers.emplace_back();
+    for (const FieldPoint p : o.outline) barrier.ring.push_back(plane(p));
+    barrier.clearance_m = safety.base();
   }
-  return Room{std::move(circles), {}, land->flight};
+  return Room{std::move(circles), std::move(barriers), land->flight};
 }
 
 AvoidancePlan plan_avoidance(const std::vector<StraightStrip>& strips, const Room& room,

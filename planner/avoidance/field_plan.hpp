@@ -12,13 +12,20 @@
 
 namespace furrow::planner {
 
-/// The room of a field: inside boundary, holes and outlined obstacles, clear of round ones.
+/// Whether strips run on past an obstacle and are led around it or end before it, whichever costs
+/// less: round ones, and outlines that a circle of two swaths holds. Strips end at larger ones: no
+/// way around those is worth its length.
+bool is_led_around(const Obstacle& obstacle, Length swath);
+
+/// The room of a field: inside boundary, holes and large outlines, clear of what strips are led
+/// around.
 ///
-/// @param margin  From boundary, holes and outlines, >= 0.
-/// @param safety  From round obstacles, >= 0.
+/// @param margin  From boundary, holes and large outlines, >= 0.
+/// @param safety  From obstacles, >= 0.
+/// @param swath   > 0; see `is_led_around`.
 /// @error  As `field_land`.
 Expected<Room, PlanError> room_of(const Field& field, Length margin, Length hole_buffer,
-                                  Length safety);
+                                  Length safety, Length swath);
 
 /// A straight strip to spray.
 struct StraightStrip {

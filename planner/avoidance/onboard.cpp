@@ -9,7 +9,7 @@
 namespace furrow::planner {
 namespace {
 
-constexpr double on_line_m = 1e-6, on_line_rad = 1e-6;
+constexpr double on_line_m = 1e-6, on_line_rad = 1e-6, same_place_m = 1e-6;
 
 PointM plane(FieldPoint p) { return {p.x.base(), p.y.base()}; }
 
@@ -38,14 +38,16 @@ std::vector<PassM> with_neighbours(const PassM& pass) {
           {pass.a - aside, pass.b - aside, pass.width_m}};
 }
 
-const CrowdOption* best_option(const Crowd& crowd, const PassM& pass, const Room& room) {
+const CrowdOption* best_option(const Crowd& crowd, const PassM& pass, const Room& room,
+                               DetourWeights weights) {
   const std::vector<PassM> passes = with_neighbours(pass);
   const CrowdOption* best = nullptr;
   double least = INFINITY;
   for (const CrowdOption& option : crowd.options) {
-    if (option.conduct != Conduct::sprayed) continue;
-    const double cost = option.extra_m / pass.length_m() +
-                        wrong_alone_m2(passes, option, room) / (pass.length_m() * pass.width_m);
+    if (option.conduct == Conduct::apart) continue;
+    const double length = option.extra_m / pass.length_m();
+    const double area = wrong_alone_m2(passes, option, room) / (pass.length_m() * pass.width_m);
+    const double cost = weights.length * length + weights.area * area;
     if (cost < least) {
       least = cost;
       best = &option;
@@ -57,7 +59,7 @@ const CrowdOption* best_option(const Crowd& crowd, const PassM& pass, const Room
 }  // namespace
 
 Expected<OnboardDetour, NoDetour> onboard_detour(const OnboardLine& line, const Room& room,
-                                                 Length turn_radius) {
+                                                 Length turn_radius, DetourWeights weights) {
   const PointM from = plane(line.from), to = plane(line.to), here = plane(line.pose.at);
   require(norm(to - from) > 0 && line.swath > Length{}, "a line has length and width");
   const RowFrame frame = RowFrame::along(to - from);
@@ -68,12 +70,16 @@ Expected<OnboardDetour, NoDetour> onboard_detour(const OnboardLine& line, const 
     return Unexpected{NoDetour::nothing_ahead};
   }
 
-  OnboardDetour made{{line.pose.at}, {}, Side::left};
+  OnboardDetour made{.way = {line.pose.at}, .length = {}, .side = Side::left};
+  const auto go_on = [&](PointM p) {
+    const FieldPoint at = at_m(p.x, p.y);
+    if (distance(made.way.back(), at) >= metres(same_place_m)) made.way.push_back(at);
+  };
   const double askew = wrapped_rad(line.pose.heading_rad - std::atan2(frame.sine, frame.cosine));
   if (std::abs(seen.y) > on_line_m || std::abs(askew) > on_line_rad) {
     const auto joint = joined(line, foot, frame, room, turn_radius);
     if (!joint) return Unexpected{NoDetour::too_late};
-    for (const PointM p : tangent_path(*joint, corner_rad)) made.way.push_back(at_m(p.x, p.y));
+    for (const PointM p : tangent_path(*joint, corner_rad)) go_on(p);
     made.length += metres(length_m(*joint));
     foot = end_pose(*joint).at;
   }
@@ -82,17 +88,18 @@ Expected<OnboardDetour, NoDetour> onboard_detour(const OnboardLine& line, const 
   const auto targets = targets_of(pass, room);
   if (targets.empty()) return Unexpected{NoDetour::nothing_ahead};
   const Crowd crowd = crowds_of(pass, targets, room, turn_radius.base()).front();
-  const CrowdOption* best = best_option(crowd, pass, room);
+  const CrowdOption* best = best_option(crowd, pass, room, weights);
   if (!best) {
     const bool is_late = crowd.options.front().low_m <= on_line_m;
     return Unexpected{is_late ? NoDetour::too_late : NoDetour::no_room};
   }
   const PathM around = tangent_path(best->curve, corner_rad);
-  for (const PointM p : around) made.way.push_back(at_m(p.x, p.y));
+  go_on(around.front());
+  made.leaves = made.way.size() - 1;
+  for (const PointM p : around) go_on(p);
+  made.sprays = best->conduct == Conduct::sprayed;
   made.length += metres(best->low_m + length_m(best->curve));
   made.side = best->sides.front();
-  const auto same = [](FieldPoint a, FieldPoint b) { return distance(a, b) < metres(1e-6); };
-  made.way.erase(std::unique(made.way.begin(), made.way.end(), same), made.way.end());
   return made;
 }
 

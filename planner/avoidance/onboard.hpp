@@ -23,6 +23,14 @@ struct OnboardDetour {
   std::vector<FieldPoint> way;  ///< From the aircraft to the line behind the obstacles.
   Length length;                ///< Along the arcs.
   Side side;                    ///< On which the first of them is passed.
+  bool sprays = true;           ///< Whether with the valve open.
+  std::size_t leaves = 0;       ///< The place of the way at which it leaves the line.
+};
+
+/// What a detour's length and the ground that it misses or sprays twice count in the choice; as of
+/// AvoidanceSettings.
+struct DetourWeights {
+  double length = 0.5, area = 0.5;
 };
 
 /// Why there is none.
@@ -41,15 +49,15 @@ constexpr std::string_view name(NoDetour why) {
   return "unknown";
 }
 
-/// The way around the first obstacles ahead, valve open, and back to the line: of the sides that
-/// are free the one of least length and missed and repeated area, neighbours taken to be straight.
-/// An aircraft beside its line or askew joins it first.
+/// The way around the first obstacles ahead and back to the line: of the sides that are free, valve
+/// open or closed, the one of least length and missed and repeated area, neighbours taken to be
+/// straight. An aircraft beside its line or askew joins it first.
 ///
 /// @param room         Holds the obstacles known, the new one among them, with safety distance.
 /// @param turn_radius  > 0.
 ///
 /// Cost: below 1 ms for a few obstacles.
 Expected<OnboardDetour, NoDetour> onboard_detour(const OnboardLine& line, const Room& room,
-                                                 Length turn_radius);
+                                                 Length turn_radius, DetourWeights weights = {});
 
 }  // namespace furrow::planner

@@ -10,6 +10,11 @@ namespace furrow::planner {
 /// wind.
 inline constexpr double tracking_room_m = 0.1;
 
+/// What strips are planned to keep, so that `safety` is kept when they are flown.
+constexpr Length planned_clearance(Length safety) {
+  return safety > Length{} ? safety + metres(tracking_room_m) : Length{};
+}
+
 enum class AvoidanceMethod {
   genetic,  ///< Side or split for each crowd by genetic search, per pass and then for all.
   exact,    ///< The same by enumeration; genetic where a group of crowds is too large for it.

@@ -89,7 +89,7 @@ class Builder {
   bool is_near(FieldPoint corner) const {
     const Length more = clearance_ + 0.5 * walk_.cell;
     return std::any_of(field_.obstacles.begin(), field_.obstacles.end(), [&](const Obstacle& o) {
-      return o.outline.empty() && distance(o.center, corner) < o.radius + more;
+      return is_led_around(o, walk_.cell) && -depth_in(o, corner) < more;
     });
   }
 
@@ -156,7 +156,7 @@ class Builder {
 Expected<WalkAround, PlanError> walk_around(const Field& field, Length swath,
                                             const CoverageSettings& settings) {
   require(settings.avoidance.has_value(), "obstacles are flown around by settings");
-  const auto walk = coverage_route(without_round_obstacles(field), swath, settings);
+  const auto walk = coverage_route(without_led_around(field, swath), swath, settings);
   if (!walk) return Unexpected{walk.error()};
   const std::vector<WalkRow> rows = rows_of(*walk, settings.work_direction_deg);
   std::vector<SwathStrip> lines;
@@ -165,7 +165,7 @@ Expected<WalkAround, PlanError> walk_around(const Field& field, Length swath,
   SwathSettings led;
   led.margin = settings.margin;
   led.avoidance = settings.avoidance;
-  auto around = rows_around(field, lines, led);
+  auto around = rows_around(field, swath, lines, led);
   if (!around) return Unexpected{around.error()};
   const Length clearance = settings.avoidance->safety + metres(tracking_room_m);
   return Builder{*walk, rows, *around, field, clearance}.built();

@@ -65,6 +65,11 @@ const std::optional<AvoidanceSettings>& avoidance_of(const CoverageModel& model)
       model);
 }
 
+Length safety_of(const CoverageModel& model) {
+  if (const auto& avoidance = avoidance_of(model)) return avoidance->safety;
+  return std::visit([](const auto& settings) { return settings.safety; }, model);
+}
+
 Expected<Coverage, PlanError> cover(const Field& field, Length swath, const CoverageModel& model) {
   if (const auto* grid = std::get_if<CoverageSettings>(&model)) {
     return grid->avoidance ? walked_around(field, swath, *grid) : walked(field, swath, *grid);

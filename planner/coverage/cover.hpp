@@ -28,6 +28,9 @@ struct SweepFigures {
 /// How `model` flies around round obstacles, if it does.
 const std::optional<AvoidanceSettings>& avoidance_of(const CoverageModel& model);
 
+/// What `model` keeps from obstacles.
+Length safety_of(const CoverageModel& model);
+
 struct Coverage {
   Route route;
   double direction_deg;  ///< Heading of the strips, clockwise from north.

@@ -105,6 +105,27 @@ void clear_around(Grid& grid, const Obstacle& obstacle, double slack) {
   }
 }
 
+// Clears the cells whose centre is nearer than `reach`.
+void clear_near(Grid& grid, const Obstacle& obstacle, Length reach) {
+  const Length all = obstacle.radius + reach;
+  const FieldVector center = obstacle.center - grid.origin;
+  const auto place = [&](Length at, std::int32_t most) { return clamped(at / grid.cell, 0, most); };
+  for (auto r = place(center.y - all, grid.rows); r < place(center.y + all + grid.cell, grid.rows);
+       ++r) {
+    for (auto c = place(center.x - all, grid.columns);
+         c < place(center.x + all + grid.cell, grid.columns); ++c) {
+      if (-depth_in(obstacle, grid.center(c, r)) < reach) grid.workable[grid.index(c, r)] = 0;
+    }
+  }
+}
+
+// How far centres are from what is `safety` away from the ways between them; 0 where cells that an
+// obstacle does not touch are enough.
+Length centre_reach(Length safety, Length cell) {
+  if (safety <= 0.5 * cell) return {};
+  return metres(std::hypot(safety.base(), 0.5 * cell.base()));
+}
+
 bool is_sound(const Obstacle& o) {
   return std::isfinite(o.center.x.base()) && std::isfinite(o.center.y.base()) &&
          std::isfinite(o.radius.base()) && o.radius >= Length{};
@@ -125,8 +146,10 @@ Extent extent_of(const Ring& ring) {
 
 }  // namespace
 
-Expected<Grid, PlanError> field_grid(const Field& field, Length swath, Length margin) {
-  require(swath > Length{} && margin >= Length{}, "a swath is wider than 0, a margin at least 0");
+Expected<Grid, PlanError> field_grid(const Field& field, Length swath, Length margin,
+                                     Length safety) {
+  require(swath > Length{} && margin >= Length{} && safety >= Length{},
+          "a swath is wider than 0, margins are at least 0");
   const auto rings = land_rings(field, margin);
   if (!rings) return Unexpected{rings.error()};
   for (const Obstacle& o : field.obstacles) {
@@ -157,7 +180,11 @@ Expected<Grid, PlanError> field_grid(const Field& field, Length swath, Length ma
     fill_inside(grid, row, edges, crossings);
     clear_crossed(grid, row, edges, slack);
   }
-  for (const Obstacle& obstacle : field.obstacles) clear_around(grid, obstacle, slack);
+  const Length reach = centre_reach(safety, swath);
+  for (const Obstacle& obstacle : field.obstacles) {
+    clear_around(grid, obstacle, slack);
+    if (reach > Length{}) clear_near(grid, obstacle, reach);
+  }
 
   if (rings->empty()) {
     return Unexpected{PlanError{PlanFault::margin_too_wide,

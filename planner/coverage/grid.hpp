@@ -36,6 +36,7 @@ struct Grid {
 ///
 /// @param swath   > 0.
 /// @param margin  Inset from boundary and holes, >= 0.
+/// @param safety  That ways between the centres of neighbouring cells keep from obstacles, >= 0.
 ///
 /// @error   field_invalid     See `land_rings`; or an obstacle is no circle; or there are more than
 ///                            20 million cells.
@@ -43,6 +44,7 @@ struct Grid {
 ///
 /// Time O(cells + rows x edges).
 /// Source: Wang et al. 2017, section 1.2 (weights w_e = 1 and w_0 = 0).
-Expected<Grid, PlanError> field_grid(const Field& field, Length swath, Length margin);
+Expected<Grid, PlanError> field_grid(const Field& field, Length swath, Length margin,
+                                     Length safety = {});
 
 }  // namespace furrow::planner

@@ -244,7 +244,8 @@ Expected<Route, PlanError> coverage_route(const Field& field, Length swath,
         PlanError{PlanFault::direction_unsupported,
                   fmt::format("{} degrees is no multiple of 90", settings.work_direction_deg)}};
   }
-  const auto grid = field_grid(field, swath, settings.margin);
+  const Length safety = settings.avoidance ? settings.avoidance->safety : settings.safety;
+  const auto grid = field_grid(field, swath, settings.margin, planned_clearance(safety));
   if (!grid) return Unexpected{grid.error()};
 
   Walk walk{*grid,

@@ -14,6 +14,7 @@ namespace furrow::planner {
 /// How a field is cut into cells and walked.
 struct CoverageSettings {
   Length margin{};                      ///< Inset from boundary and holes, >= 0.
+  Length safety{};                      ///< From obstacles, where `avoidance` says none, >= 0.
   double straight_reward = 2.0;         ///< S > 1.
   double turn_reward = 3.0;             ///< U > S.
   std::uint32_t min_region_cells = 10;  ///< Smaller unvisited regions are reported missed, >= 1.
@@ -22,7 +23,7 @@ struct CoverageSettings {
   /// Without a start: the walk begins in the corner nearest to this place, or to the south-western
   /// end of the field.
   std::optional<FieldPoint> near{};
-  /// The walk runs on over round obstacles, which are flown around (see `walk_around`); without,
+  /// The walk runs on over obstacles, which are flown around (see `walk_around`); without,
   /// their cells are left out.
   std::optional<AvoidanceSettings> avoidance{};
 };

@@ -55,7 +55,7 @@ class FerryMap::Ground {
   PathM way(PointM from, PointM to) const {
     if (paths_.is_convex() || norm(to - from) == 0) return {from, to};
     const PointM entered = on_land(from), left = on_land(to);
-    const auto inside = paths_.shortest(entered, left);
+    const auto inside = inside_way(entered, left);
     PathM made = inside ? clear_of_corners(*inside, paths_.edges(), cut_m_) : PathM{entered, left};
     if (!(entered == from)) made.insert(made.begin(), from);
     if (!(left == to)) made.push_back(to);
@@ -64,18 +64,15 @@ class FerryMap::Ground {
 
   double length_m(PointM from, PointM to) const {
     if (paths_.is_convex()) return norm(to - from);
-    for (const InsidePaths::Fan& fan : fans_) {
-      if (fan.from == from) return fan_length_m(fan, to);
-      if (fan.from == to) return fan_length_m(fan, from);
-    }
+    if (const auto* fan = fan_of(from)) return fan_length_m(*fan, to);
+    if (const auto* fan = fan_of(to)) return fan_length_m(*fan, from);
     return planner::length_m(way(from, to));
   }
 
   std::vector<double> lengths_m(PointM from, std::span<const PointM> line) const {
     std::vector<double> made(line.size());
-    for (const InsidePaths::Fan& fan : fans_) {
-      if (!(fan.from == from)) continue;
-      made = paths_.ways_m(fan, line);
+    if (const auto* fan = fan_of(from)) {
+      made = paths_.ways_m(*fan, line);
       for (std::size_t i = 0; i < line.size(); ++i) {
         if (made[i] == INFINITY) made[i] = planner::length_m(way(from, line[i]));
       }
@@ -87,6 +84,23 @@ class FerryMap::Ground {
   }
 
  private:
+  const InsidePaths::Fan* fan_of(PointM stand) const {
+    const auto fan = std::find_if(fans_.begin(), fans_.end(),
+                                  [&](const InsidePaths::Fan& f) { return f.from == stand; });
+    return fan == fans_.end() ? nullptr : &*fan;
+  }
+
+  std::optional<PathM> inside_way(PointM from, PointM to) const {
+    std::optional<PathM> way;
+    if (const auto* out = fan_of(from)) {
+      way = paths_.way(*out, to);
+    } else if (const auto* home = fan_of(to)) {
+      way = paths_.way(*home, from);
+      if (way) std::reverse(way->begin(), way->end());
+    }
+    return way ? way : paths_.shortest(from, to);
+  }
+
   double fan_length_m(const InsidePaths::Fan& fan, PointM to) const {
     const double inside_m = paths_.way_m(fan, to);
     return inside_m < INFINITY ? inside_m : planner::length_m(way(fan.from, to));
@@ -117,7 +131,7 @@ class FerryMap::Ground {
 
 Expected<FerryMap, PlanError> FerryMap::over(const Field& field, const FerryRule& rule,
                                              std::span<const FieldPoint> stands) {
-  const auto land = field_land(field, rule.margin, rule.hole_buffer);
+  const auto land = field_land(field, rule.margin, rule.hole_buffer, rule.safety);
   if (!land) return Unexpected{land.error()};
   LandParts open = with_necks(land->flight, land->land, land->taken, rule.margin.base());
   for (const FieldPoint stand : stands) {

@@ -21,6 +21,7 @@ class HillWays;
 struct FerryRule {
   Length margin{};       ///< From boundary, holes and obstacles, as strips keep it; >= 0.
   Length hole_buffer{};  ///< Further from holes and obstacles, >= 0.
+  Length safety{};       ///< From obstacles at least, whatever the others are; >= 0.
   Length corner_cut{};   ///< Aircraft leave their way at most this far before a bend, >= 0.
 };
 

@@ -3,41 +3,45 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <map>
+#include <optional>
 #include <set>
 
 namespace furrow::sim {
 namespace {
 
 constexpr double kept_share = 0.9;
+constexpr Length rtk_sigma = metres(0.02);
+
+// Nine tenths of the safety distance, less what the fix may be off by beyond that of an RTK.
+Length kept_by(const Vehicle& v, Length safety) {
+  const Length error = v.gnss.bias + 4.0 * std::max(Length{}, v.gnss.sigma - rtk_sigma);
+  return std::max(Length{}, kept_share * safety - error);
+}
 
 class ClearanceLaws final : public Checker {
  public:
   explicit ClearanceLaws(const Facts& facts) {
-    const auto& sweep = facts.plan.sweep;
-    if (!sweep || !sweep->avoidance) return;
-    for (const Obstacle& o : facts.field.obstacles) {
-      if (o.outline.empty()) obstacles_.push_back({o.id, o.center, o.radius, Instant::min()});
-    }
+    if (facts.plan.safety <= Length{}) return;
+    for (const Obstacle& o : facts.field.obstacles) obstacles_.push_back({o, Instant::min()});
     for (const Surprise& s : facts.surprises) {
-      obstacles_.push_back({s.id, s.obstacle.center, s.obstacle.radius, s.appears});
+      obstacles_.push_back({{s.id, s.obstacle.center, s.obstacle.radius, {}}, s.appears});
     }
     for (const auto& uav : facts.plan.uavs) {
-      kept_[uav.vehicle.id] =
-          std::max(Length{}, kept_share * sweep->avoidance->safety - uav.vehicle.gnss.bias);
+      aircraft_[uav.vehicle.id] = {kept_by(uav.vehicle, facts.plan.safety),
+                                   planned_acceleration(uav.vehicle)};
     }
   }
 
   void observe(const Envelope& e) override {
     const auto* flown = std::get_if<FlightRecord>(&e.body);
     if (flown == nullptr) return;
-    const auto kept = kept_.find(flown->agent);
-    if (kept == kept_.end()) return;
+    const auto aircraft = aircraft_.find(flown->agent);
+    if (aircraft == aircraft_.end()) return;
     for (const TrackPoint& point : flown->track) {
       for (const Standing& obstacle : obstacles_) {
-        if (point.at < obstacle.since) continue;
-        const Length away = distance(obstacle.center, point.position) - obstacle.radius;
-        if (away < kept->second) tell(flown->agent, obstacle, away, kept->second, point.at);
+        judge(flown->agent, aircraft->second, obstacle, point);
       }
+      aircraft->second.last = point;
     }
   }
 
@@ -45,14 +49,55 @@ class ClearanceLaws final : public Checker {
 
  private:
   struct Standing {
-    std::string id;
-    FieldPoint center;
-    Length radius;
+    Obstacle what;
     Instant since;
   };
 
+  struct Aircraft {
+    Length kept;
+    Acceleration brakes;
+    std::optional<TrackPoint> last{};
+    std::set<std::string> excused{};  // obstacles that came up too near, until it is clear of them
+  };
+
+  void judge(AgentId agent, Aircraft& aircraft, const Standing& obstacle, const TrackPoint& point) {
+    if (point.at < obstacle.since) return;
+    const Obstacle& o = obstacle.what;
+    if (comes_up(aircraft, obstacle) &&
+        distance_to(o, point) < aircraft.kept + stopping(aircraft, point)) {
+      aircraft.excused.insert(o.id);
+    }
+    if (distance(o.center, point.position) >= o.radius + aircraft.kept) {
+      aircraft.excused.erase(o.id);
+      return;
+    }
+    const Length away = distance_to(o, point);
+    if (away >= aircraft.kept) aircraft.excused.erase(o.id);
+    if (away < aircraft.kept && !aircraft.excused.contains(o.id)) {
+      tell(agent, o, away, aircraft.kept, point.at);
+    }
+  }
+
+  static Length distance_to(const Obstacle& o, const TrackPoint& point) {
+    return -depth_in(o, point.position);
+  }
+
+  // Whether it is there since the last point of the track.
+  static bool comes_up(const Aircraft& aircraft, const Standing& obstacle) {
+    return aircraft.last && aircraft.last->at < obstacle.since;
+  }
+
+  // In which it sees, decides and stops from the speed at which it came.
+  static Length stopping(const Aircraft& aircraft, const TrackPoint& point) {
+    constexpr Seconds reaction = seconds(0.3);
+    const Seconds took = seconds(point.at - aircraft.last->at);
+    if (took <= Seconds{}) return {};
+    const Speed speed = distance(aircraft.last->position, point.position) / took;
+    return speed * (took + reaction) + speed * speed / (2.0 * aircraft.brakes);
+  }
+
   // Once for each aircraft and obstacle.
-  void tell(AgentId agent, const Standing& obstacle, Length away, Length kept, Instant at) {
+  void tell(AgentId agent, const Obstacle& obstacle, Length away, Length kept, Instant at) {
     if (!told_.insert({agent, obstacle.id}).second) return;
     report("L22", at,
            fmt::format("UAV {} was {:.2f} m from obstacle {}, less than {:.2f} m",
@@ -60,7 +105,7 @@ class ClearanceLaws final : public Checker {
   }
 
   std::vector<Standing> obstacles_;
-  std::map<AgentId, Length> kept_;
+  std::map<AgentId, Aircraft> aircraft_;
   std::set<std::pair<AgentId, std::string>> told_;
 };
 

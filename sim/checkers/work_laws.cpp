@@ -4,7 +4,6 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <map>
-#include <numbers>
 #include <set>
 #include <string>
 #include <utility>
@@ -126,9 +125,9 @@ class WorkLaws final : public Checker {
     observe_track(flown);
   }
 
-  // The most that ways around obstacles met in flight add to what was sprayed: half circles through
-  // the turn circles, (pi - 2) (R_z + R), for each obstacle passed. Turn circles are within a
-  // swath.
+  // The most that ways around obstacles met in flight add to what was sprayed, valve open: half
+  // circles through the turn circles, (pi - 2) (R_z + R), for each obstacle passed; or take from
+  // it, valve closed: 2 (R_z + R). Turn circles are within a swath.
   double detours_m(const FlightRecord& flown) const {
     const auto known = vehicles_.find(flown.agent);
     if (known == vehicles_.end()) return 0.0;
@@ -136,18 +135,13 @@ class WorkLaws final : public Checker {
     const Length turn = std::max(swath, 1.25 * known->second.min_turn_radius);
     double sum_m = 0.0;
     for (const Surprise& s : facts_.surprises) {
-      const Length around = s.obstacle.radius + safety() + turn;
+      const Length around = s.obstacle.radius + facts_.plan.safety + turn;
       const bool passes = std::any_of(flown.track.begin(), flown.track.end(), [&](const auto& p) {
         return p.spraying && distance(p.position, s.obstacle.center) < around + swath;
       });
-      if (passes) sum_m += (std::numbers::pi - 2.0) * around.base();
+      if (passes) sum_m += 2.0 * around.base();
     }
     return sum_m;
-  }
-
-  Length safety() const {
-    const auto& sweep = facts_.plan.sweep;
-    return sweep && sweep->avoidance ? sweep->avoidance->safety : Length{};
   }
 
   // Half a swath and what the fix may be off by: nobody can steer closer than he sees.

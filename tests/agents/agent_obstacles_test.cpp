@@ -65,10 +65,11 @@ TEST_CASE("lookout: an obstacle is seen once, from its edge, and not before it a
   CHECK(lookout.sees({0, 39.1}, mission_start + 5 * second).size() == 1);
 }
 
-TEST_CASE("agent: flies around a tree that it sees, valve open, every cell once", "[agents]") {
+TEST_CASE("agent: flies around a tree that it sees, every cell once", "[agents]") {
   const auto log = fly(with(tree(1.5, 100, 20)), two_strips(), mission_start + 600 * second);
   CHECK(count(log, "obstacle_seen") == 1);
   CHECK(count(log, "obstacle_near") == 0);
+  CHECK(count(log, "detour_sprayed") + count(log, "detour_closed") == 1);
   CHECK(count(log, "order_done") == 1);
   CHECK(cells_sprayed(log) == 200);
   // 1 m of tree and 2 m of clearance, less what a fix of 2 cm does to the track.

@@ -246,18 +246,48 @@ TEST_CASE("Obstacles are read into the frame of the field") {
   const auto obstacles = read_obstacles(folder + "obstacles.geojson", frame);
   REQUIRE(obstacles);
   REQUIRE(obstacles->size() == 3);
-  CHECK((*obstacles)[2].id == "pond");
-  CHECK((*obstacles)[2].outline.size() == 4);
-  CHECK((*obstacles)[0].id == "tree1");
-  CHECK((*obstacles)[0].radius == metres(3));
-  CHECK(distance((*obstacles)[0].center, at_m(0, 0)).base() < 1e-6);
-  CHECK((*obstacles)[1].id == "obstacle2");
+  CHECK((*obstacles)[2].obstacle.id == "pond");
+  CHECK((*obstacles)[2].obstacle.outline.size() == 4);
+  CHECK((*obstacles)[0].obstacle.id == "tree1");
+  CHECK((*obstacles)[0].obstacle.radius == metres(3));
+  CHECK(distance((*obstacles)[0].obstacle.center, at_m(0, 0)).base() < 1e-6);
+  CHECK((*obstacles)[1].obstacle.id == "obstacle2");
   // 0.0001 degrees of longitude at 51.781 N: N cos(lat) * 0.0001 degrees
   const double east_m = ground::prime_vertical_radius_m(51.781) *
                         std::cos(51.781 * ground::degree) * 0.0001 * ground::degree;
-  CHECK((*obstacles)[1].center.x.base() == Approx(east_m).epsilon(1e-6));
+  CHECK((*obstacles)[1].obstacle.center.x.base() == Approx(east_m).epsilon(1e-6));
   CHECK(!read_obstacles(folder + "broken/point.geojson", frame));  // no radius
   CHECK(!read_obstacles(folder + "two_fields.kml", frame));
+  CHECK((*obstacles)[1].feature == "feature 2");
+  CHECK(!(*obstacles)[1].seen_within);
+}
+
+TEST_CASE("Obstacles may be unknown to the plan, and errors name their feature") {
+  const LocalFrame frame{{.lat_deg = 51.781, .lon_deg = 4.262}};
+  const auto read = [&](const std::string& properties) {
+    const LandFile file{.path = "file",
+                        .bytes = R"({"type": "FeatureCollection", "features": [
+          {"type": "Feature", "properties": {"radius_m": 1},
+           "geometry": {"type": "Point", "coordinates": [4.262, 51.781]}},
+          {"type": "Feature", "properties": {)" +
+                                 properties + R"(},
+           "geometry": {"type": "Point", "coordinates": [4.2621, 51.781]}}]})"};
+    return read_obstacles(file, frame);
+  };
+  const auto unknown = read(R"("id": "elm", "radius_m": 2, "seen_within_m": 25, "appears_s": 60)");
+  REQUIRE(unknown);
+  CHECK((*unknown)[1].seen_within == metres(25));
+  CHECK((*unknown)[1].appears == seconds(60.0));
+  CHECK((*unknown)[1].feature == "feature 2 (elm)");
+
+  const auto no_radius = read(R"("name": "elm")");
+  REQUIRE(!no_radius);
+  CHECK(no_radius.error().rule == "radius_m must be a number > 0");
+  CHECK(no_radius.error().value == "feature 2 (elm): none");
+  const auto blind = read(R"("radius_m": 2, "seen_within_m": "far")");
+  REQUIRE(!blind);
+  CHECK(blind.error().rule == "seen_within_m must be a number > 0");
+  CHECK(blind.error().value == "feature 2: far");
 }
 
 }  // namespace

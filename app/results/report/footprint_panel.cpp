@@ -13,17 +13,6 @@ namespace {
 constexpr std::string_view sprayed = "#2f7fb5";
 constexpr double tolerance = 0.25;  // pixels
 
-std::vector<SeenObstacle> seen_obstacles(const MissionRecord& record) {
-  std::vector<SeenObstacle> seen;
-  for (const Envelope& e : record.log) {
-    const auto* sighting = std::get_if<ObstacleSeen>(&e.body);
-    if (sighting == nullptr) continue;
-    const bool is_known = std::find(seen.begin(), seen.end(), sighting->obstacle) != seen.end();
-    if (!is_known) seen.push_back(sighting->obstacle);
-  }
-  return seen;
-}
-
 void draw_runs(Svg& svg, const View& view, const std::vector<planner::BoomRun>& runs) {
   for (const planner::BoomRun& run : runs) {
     svg.path({simplified(pixels(view, run.path), tolerance)}, false,
@@ -36,7 +25,7 @@ void draw_runs(Svg& svg, const View& view, const std::vector<planner::BoomRun>& 
 void draw_left_out(Svg& svg, const View& view, const MissionRecord& record,
                    const std::vector<std::vector<planner::FlownPlace>>& tracks) {
   const auto rings =
-      planner::left_out(record.scenario.field, record.scenario.uavs.front().swath, tracks);
+      planner::left_out(known_field(record), record.scenario.uavs.front().swath, tracks);
   if (!rings) return;  // the plan has judged the field
   std::vector<std::vector<Pixel>> chains;
   chains.reserve(rings->size());
@@ -45,7 +34,7 @@ void draw_left_out(Svg& svg, const View& view, const MissionRecord& record,
 }
 
 void draw_seen(Svg& svg, const View& view, const MissionRecord& record) {
-  for (const SeenObstacle& o : seen_obstacles(record)) {
+  for (const SeenObstacle& o : seen_obstacles(record.log)) {
     svg.circle(view.at(o.center), std::max(o.radius.base() * view.pixels_per_m, 2.0),
                {.fill = "#8d8d8d", .stroke = ink, .width = 1.6},
                fmt::format("met in flight at ({:.1f}, {:.1f}) m, radius {:.1f} m",
@@ -72,7 +61,7 @@ std::string footprint_legend(const MissionRecord& record) {
   const auto key = [](std::string_view colour, std::string_view words) {
     return fmt::format("<li><i class=\"key\" style=\"background:{}\"></i>{}</li>", colour, words);
   };
-  const bool has_met = !seen_obstacles(record).empty();
+  const bool has_met = !seen_obstacles(record.log).empty();
   return "<ul class=\"legend\"><li class=\"head\">Ground sprayed</li>" + key("#9bbed0", "once") +
          key("#6aa1c4", "twice") + key(alarm, "left out") +
          (has_met ? "<li>grey, dark rim: obstacle met in flight</li>" : "") + "</ul>";

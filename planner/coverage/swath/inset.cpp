@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <map>
 #include <numbers>
+#include <numeric>
 #include <string>
 
 namespace furrow::planner {
@@ -29,6 +31,64 @@ LandPart disc(const Obstacle& obstacle, PointM origin) {
   return made;
 }
 
+struct BoxM {
+  PointM low, high;
+};
+
+BoxM box_of(const LandPart& part) {
+  BoxM box{part.outer.front(), part.outer.front()};
+  for (const PointM p : part.outer) {
+    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
+    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
+  }
+  return box;
+}
+
+// Of each part, the first of those that it may meet, by their boxes.
+std::vector<std::size_t> neighbourhoods(const LandParts& parts) {
+  std::vector<BoxM> boxes;
+  boxes.reserve(parts.size());
+  for (const LandPart& part : parts) boxes.push_back(box_of(part));
+  std::vector<std::size_t> by_x(parts.size()), head(parts.size());
+  std::iota(by_x.begin(), by_x.end(), std::size_t{0});
+  std::iota(head.begin(), head.end(), std::size_t{0});
+  std::stable_sort(by_x.begin(), by_x.end(),
+                   [&](std::size_t a, std::size_t b) { return boxes[a].low.x < boxes[b].low.x; });
+  const auto head_of = [&](std::size_t i) {
+    while (head[i] != i) i = head[i] = head[head[i]];
+    return i;
+  };
+  for (std::size_t i = 0; i < by_x.size(); ++i) {
+    const BoxM& one = boxes[by_x[i]];
+    for (std::size_t k = i + 1; k < by_x.size() && boxes[by_x[k]].low.x <= one.high.x; ++k) {
+      const BoxM& other = boxes[by_x[k]];
+      if (other.low.y > one.high.y || one.low.y > other.high.y) continue;
+      const std::size_t x = head_of(by_x[i]), y = head_of(by_x[k]);
+      head[std::max(x, y)] = std::min(x, y);
+    }
+  }
+  for (std::size_t i = 0; i < head.size(); ++i) head[i] = head_of(i);
+  return head;
+}
+
+// The union, neighbourhood by neighbourhood: most trees stand alone, and one of all is long work.
+LandParts joined(LandParts some, const LandParts& more) {
+  some.insert(some.end(), more.begin(), more.end());
+  const std::vector<std::size_t> head = neighbourhoods(some);
+  std::map<std::size_t, LandParts> groups;
+  for (std::size_t i = 0; i < some.size(); ++i) groups[head[i]].push_back(std::move(some[i]));
+  LandParts made;
+  for (auto& [first, group] : groups) {
+    if (group.size() > 1) group = united(group);
+    for (LandPart& part : group) made.push_back(std::move(part));
+  }
+  return made;
+}
+
+LandParts grown(const LandParts& parts, Length by) {
+  return by > Length{} ? joined(offset(parts, by.base()), {}) : parts;
+}
+
 // Parts this thin come from rounding, not from land.
 void drop_dust(LandParts& parts) {
   const double least_m2 = 1e-9 * area_m2(parts);
@@ -41,17 +101,19 @@ void drop_dust(LandParts& parts) {
 
 }  // namespace
 
-Expected<FieldLand, PlanError> field_land(const Field& field, Length margin, Length hole_buffer) {
-  require(margin >= Length{} && hole_buffer >= Length{}, "margins are at least 0");
+Expected<FieldLand, PlanError> field_land(const Field& field, Length margin, Length hole_buffer,
+                                          Length safety) {
+  require(margin >= Length{} && hole_buffer >= Length{} && safety >= Length{},
+          "margins are at least 0");
   const PointM origin = field.boundary.empty() ? PointM{} : origin_of(field.boundary);
   const auto boundary = mended(field.boundary, origin, "boundary");
   if (!boundary) return Unexpected{boundary.error()};
 
-  LandParts taken;
+  LandParts holes, obstacles;
   for (std::size_t i = 0; i < field.holes.size(); ++i) {
     const auto hole = mended(field.holes[i], origin, fmt::format("hole {}", i + 1));
     if (!hole) return Unexpected{hole.error()};
-    taken.insert(taken.end(), hole->parts.begin(), hole->parts.end());
+    holes.insert(holes.end(), hole->parts.begin(), hole->parts.end());
   }
   for (const Obstacle& obstacle : field.obstacles) {
     if (!std::isfinite(obstacle.center.x.base()) || !std::isfinite(obstacle.center.y.base()) ||
@@ -61,24 +123,25 @@ Expected<FieldLand, PlanError> field_land(const Field& field, Length margin, Len
     if (!obstacle.outline.empty()) {
       const auto shape = mended(obstacle.outline, origin, "obstacle " + obstacle.id);
       if (!shape) return Unexpected{shape.error()};
-      taken.insert(taken.end(), shape->parts.begin(), shape->parts.end());
+      obstacles.insert(obstacles.end(), shape->parts.begin(), shape->parts.end());
     } else if (obstacle.radius > Length{}) {
-      taken.push_back(disc(obstacle, origin));
+      obstacles.push_back(disc(obstacle, origin));
     }
   }
 
   FieldLand made{origin, boundary->parts, {}, {}};
-  if (!taken.empty()) {
-    taken = united(taken);
-    made.land = subtracted(boundary->parts, taken);
-  }
+  const LandParts taken = joined(holes, obstacles);
+  if (!taken.empty()) made.land = subtracted(boundary->parts, taken);
   drop_dust(made.land);
   if (made.land.empty()) {
     return Unexpected{PlanError{PlanFault::nothing_to_spray, "holes cover the whole field"}};
   }
   made.flight = offset(made.land, -margin.base());
-  made.taken = offset(taken, (margin + hole_buffer).base());
-  if (!taken.empty() && hole_buffer > Length{}) made.flight = subtracted(made.flight, made.taken);
+  const Length from_holes = margin + hole_buffer, from_obstacles = std::max(from_holes, safety);
+  made.taken = from_obstacles == from_holes ? grown(taken, from_holes)
+                                            : joined(grown(joined(holes, {}), from_holes),
+                                                     grown(joined(obstacles, {}), from_obstacles));
+  if (from_obstacles > margin) made.flight = subtracted(made.flight, made.taken);
   drop_dust(made.flight);
   if (made.flight.empty()) {
     return Unexpected{

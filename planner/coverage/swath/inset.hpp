@@ -23,11 +23,13 @@ struct FieldLand {
 ///
 /// @param margin       Least distance of flight from boundary, holes and obstacles, >= 0.
 /// @param hole_buffer  Further distance from holes and obstacles, >= 0.
+/// @param safety       Least distance from obstacles, whatever margin and buffer are, >= 0.
 ///
 /// @error  field_invalid     A ring has fewer than 3 vertices, is not finite, encloses no area, or
 ///                           crosses itself; `detail` names the ring and the place.
 /// @error  nothing_to_spray  Holes leave nothing.
 /// @error  margin_too_wide   The margin leaves nothing.
-Expected<FieldLand, PlanError> field_land(const Field& field, Length margin, Length hole_buffer);
+Expected<FieldLand, PlanError> field_land(const Field& field, Length margin, Length hole_buffer,
+                                          Length safety = {});
 
 }  // namespace furrow::planner

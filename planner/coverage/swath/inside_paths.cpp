@@ -14,16 +14,28 @@ using Open = std::pair<double, std::size_t>;  // a length, and the corner that i
 
 InsidePaths::InsidePaths(const LandPart& part) : grid_{part}, rings_{part.outer} {
   rings_.insert(rings_.end(), part.holes.begin(), part.holes.end());
-  for (const RingM& ring : rings_) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const PointM before = ring[(i + ring.size() - 1) % ring.size()];
-      const PointM after = ring[(i + 1) % ring.size()];
-      if (cross(ring[i] - before, after - ring[i]) < 0) {
-        corners_.push_back({ring[i], before, after});
-      }
+  for (const RingM& ring : rings_) add_corners(ring);
+  links_.resize(corners_.size());
+}
+
+void InsidePaths::add_corners(const RingM& ring) {
+  const std::size_t first = corners_.size();
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const PointM before = ring[(i + ring.size() - 1) % ring.size()];
+    const PointM after = ring[(i + 1) % ring.size()];
+    if (cross(ring[i] - before, after - ring[i]) < 0) {
+      corners_.push_back({ring[i], before, after});
     }
   }
-  links_.resize(corners_.size());
+  if (first == corners_.size()) return;
+  PointM low = corners_[first].at, high = low;
+  for (std::size_t c = first; c < corners_.size(); ++c) {
+    const PointM p = corners_[c].at;
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  ring_corners_.push_back(
+      {first, corners_.size(), 0.5 * (low + high), 0.5 * norm(high - low) + EdgeGrid::touch_m});
 }
 
 // Whether a shortest way that comes from `from` could turn at `corner`: both its edges must lie on
@@ -36,18 +48,34 @@ bool InsidePaths::bends_around(PointM from, const Corner& corner) const {
   return !(before > slack && after < -slack) && !(before < -slack && after > slack);
 }
 
+// False where no corner of the ring lies in a direction in which a way could turn at `here`: there
+// both its edges lie on one side of the way.
+bool InsidePaths::may_bend_to(const Corner& here, const RingCorners& ring) const {
+  const PointM before = here.before - here.at, after = here.after - here.at;
+  const PointM way = ring.middle - here.at;
+  const double rounding = EdgeGrid::touch_m * (norm(way) + ring.radius_m);
+  const double to_before = cross(way, before), to_after = cross(way, after);
+  const double slack_before = ring.radius_m * norm(before) + rounding;
+  const double slack_after = ring.radius_m * norm(after) + rounding;
+  return !(to_before > slack_before && to_after < -slack_after) &&
+         !(to_before < -slack_before && to_after > slack_after);
+}
+
 const std::vector<InsidePaths::Link>& InsidePaths::links_of(std::size_t corner) const {
   std::optional<std::vector<Link>>& known = links_[corner];
   if (known) return *known;
   known.emplace();
   const Corner& here = corners_[corner];
-  for (std::size_t other = 0; other < corners_.size(); ++other) {
-    const Corner& there = corners_[other];
-    if (other == corner || !bends_around(here.at, there) || !bends_around(there.at, here) ||
-        !grid_.sees(here.at, there.at)) {
-      continue;
+  for (const RingCorners& ring : ring_corners_) {
+    if (!may_bend_to(here, ring)) continue;
+    for (std::size_t other = ring.first; other < ring.stop; ++other) {
+      const Corner& there = corners_[other];
+      if (other == corner || !bends_around(there.at, here) || !bends_around(here.at, there) ||
+          !grid_.sees(here.at, there.at)) {
+        continue;
+      }
+      known->push_back({other, norm(there.at - here.at)});
     }
-    known->push_back({other, norm(there.at - here.at)});
   }
   return *known;
 }
@@ -75,42 +103,67 @@ std::optional<PathM> InsidePaths::along_ring(PointM a, PointM b) const {
 }
 
 InsidePaths::Fan InsidePaths::fan(PointM from) const {
-  Fan made{from, std::vector<double>(corners_.size(), INFINITY)};
+  Fan made{from,
+           std::vector<double>(corners_.size(), INFINITY),
+           std::vector<std::size_t>(corners_.size(), straight),
+           {}};
   std::priority_queue<Open, std::vector<Open>, std::greater<>> open;
-  const auto reach = [&](std::size_t corner, double length_m) {
+  const auto reach = [&](std::size_t corner, double length_m, std::size_t before) {
     if (length_m >= made.corner_m[corner]) return;
     made.corner_m[corner] = length_m;
+    made.before[corner] = before;
     open.push({length_m, corner});
   };
   for (std::size_t c = 0; c < corners_.size(); ++c) {
     if (bends_around(from, corners_[c]) && grid_.sees(from, corners_[c].at)) {
-      reach(c, norm(corners_[c].at - from));
+      reach(c, norm(corners_[c].at - from), straight);
     }
   }
   while (!open.empty()) {
     const auto [length_m, corner] = open.top();
     open.pop();
     if (length_m > made.corner_m[corner]) continue;
-    for (const Link& link : links_of(corner)) reach(link.to, length_m + link.length_m);
+    for (const Link& link : links_of(corner)) reach(link.to, length_m + link.length_m, corner);
+  }
+  for (const RingCorners& ring : ring_corners_) {
+    const auto first = made.corner_m.begin() + static_cast<std::ptrdiff_t>(ring.first);
+    const auto stop = made.corner_m.begin() + static_cast<std::ptrdiff_t>(ring.stop);
+    made.ring_m.push_back(*std::min_element(first, stop));
   }
   return made;
 }
 
-// The shortest of `known` and the ways past a corner. The shortest is tried first, since to see
-// takes longest.
-InsidePaths::Arrival InsidePaths::nearest_past(const Fan& fan, PointM to, Arrival known) const {
+// The shortest way past a corner, if it is shorter than `longest_m`.
+std::optional<InsidePaths::Arrival> InsidePaths::past_within(const Fan& fan, PointM to,
+                                                             double longest_m) const {
   std::vector<Open> open;
-  for (std::size_t c = 0; c < corners_.size(); ++c) {
-    const double through_m = fan.corner_m[c] + norm(to - corners_[c].at);
-    if (through_m < known.way_m) open.emplace_back(through_m, c);
+  for (std::size_t r = 0; r < ring_corners_.size(); ++r) {
+    const RingCorners& ring = ring_corners_[r];
+    const double least_m = fan.ring_m[r] - ring.radius_m;  // and the way to its middle
+    if (norm(to - ring.middle) >= longest_m - least_m) continue;
+    for (std::size_t c = ring.first; c < ring.stop; ++c) {
+      const double way_m = fan.corner_m[c] + norm(to - corners_[c].at);
+      if (way_m < longest_m && bends_around(to, corners_[c])) open.emplace_back(way_m, c);
+    }
   }
   std::make_heap(open.begin(), open.end(), std::greater<>{});
-  for (; !open.empty(); open.pop_back()) {
+  while (!open.empty()) {
+    const auto [way_m, past] = open.front();
+    if (grid_.sees(corners_[past].at, to)) return Arrival{way_m, past};
     std::pop_heap(open.begin(), open.end(), std::greater<>{});
-    const auto [through_m, c] = open.back();
-    if (bends_around(to, corners_[c]) && grid_.sees(corners_[c].at, to)) return {through_m, c};
+    open.pop_back();
   }
-  return known;
+  return std::nullopt;
+}
+
+// The shortest of `known` and the ways past a corner. Most ways are hardly longer than straight.
+InsidePaths::Arrival InsidePaths::nearest_past(const Fan& fan, PointM to, Arrival known) const {
+  for (const double hardly : {1.01, 1.1}) {
+    const double near_m = hardly * norm(to - fan.from);
+    if (near_m >= known.way_m) break;
+    if (const auto found = past_within(fan, to, near_m)) return *found;
+  }
+  return past_within(fan, to, known.way_m).value_or(known);
 }
 
 InsidePaths::Arrival InsidePaths::arrival(const Fan& fan, PointM to) const {
@@ -119,6 +172,16 @@ InsidePaths::Arrival InsidePaths::arrival(const Fan& fan, PointM to) const {
 }
 
 double InsidePaths::way_m(const Fan& fan, PointM to) const { return arrival(fan, to).way_m; }
+
+std::optional<PathM> InsidePaths::way(const Fan& fan, PointM to) const {
+  const Arrival last = arrival(fan, to);
+  if (last.way_m == INFINITY) return std::nullopt;
+  PathM path{to};
+  for (std::size_t c = last.past; c != straight; c = fan.before[c]) path.push_back(corners_[c].at);
+  path.push_back(fan.from);
+  std::reverse(path.begin(), path.end());
+  return path;
+}
 
 // Whether the triangle is land, where `apex` sees `a` and `b`.
 bool InsidePaths::is_clear(PointM apex, PointM a, PointM b) const {

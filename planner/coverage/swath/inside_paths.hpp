@@ -22,11 +22,14 @@ class InsidePaths {
   /// @return  Nothing if `a` or `b` is not on the land.
   std::optional<PathM> shortest(PointM a, PointM b) const;
 
-  /// Shortest lengths from one place to every corner that a way may bend at.
+  /// Shortest ways from one place to every corner that one may bend at.
   struct Fan {
     PointM from;
-    std::vector<double> corner_m;  ///< Infinite where no way leads.
+    std::vector<double> corner_m;     ///< Lengths; infinite where no way leads.
+    std::vector<std::size_t> before;  ///< The corner before each on its way, or `straight`.
+    std::vector<double> ring_m;       ///< The least of each ring's corners.
   };
+  static constexpr std::size_t straight = static_cast<std::size_t>(-1);
   /// Cost: a search over all corners.
   Fan fan(PointM from) const;
 
@@ -34,8 +37,11 @@ class InsidePaths {
   /// O(corners).
   double way_m(const Fan& fan, PointM to) const;
 
-  /// The same to places in order along one straight line. Where both ends of a stretch are reached
-  /// past the same corner and nothing lies between, the places between are too.
+  /// That way, both ends included; nothing if there is none.
+  std::optional<PathM> way(const Fan& fan, PointM to) const;
+
+  /// Its length, to places in order along one straight line. Where both ends of a stretch are
+  /// reached past the same corner and nothing lies between, the places between are too.
   std::vector<double> ways_m(const Fan& fan, std::span<const PointM> line) const;
 
   /// Whether every place sees every other.
@@ -47,6 +53,12 @@ class InsidePaths {
   struct Corner {
     PointM at, before, after;  ///< A reflex vertex and its neighbours.
   };
+  /// The corners of one ring, numbered in a row, and a circle around them.
+  struct RingCorners {
+    std::size_t first, stop;
+    PointM middle;
+    double radius_m;
+  };
   struct Link {
     std::size_t to;
     double length_m;
@@ -57,11 +69,13 @@ class InsidePaths {
     double way_m;
     std::size_t past;
   };
-  static constexpr std::size_t straight = static_cast<std::size_t>(-1);
 
+  void add_corners(const RingM& ring);
   bool bends_around(PointM from, const Corner& corner) const;
+  bool may_bend_to(const Corner& here, const RingCorners& ring) const;
   Arrival arrival(const Fan& fan, PointM to) const;
   Arrival nearest_past(const Fan& fan, PointM to, Arrival known) const;
+  std::optional<Arrival> past_within(const Fan& fan, PointM to, double longest_m) const;
   bool is_clear(PointM apex, PointM a, PointM b) const;
   void fill(const Fan& fan, std::span<const PointM> line, Arrival first, Arrival last,
             std::span<double> ways_m) const;
@@ -72,6 +86,7 @@ class InsidePaths {
   EdgeGrid grid_;
   std::vector<RingM> rings_;
   std::vector<Corner> corners_;
+  std::vector<RingCorners> ring_corners_;                        ///< Of the rings that have some.
   mutable std::vector<std::optional<std::vector<Link>>> links_;  ///< Filled when first needed.
 };
 

@@ -26,6 +26,7 @@ enum class HeadlandTurn { clockwise, counter_clockwise };
 struct SwathSettings {
   Length margin{};       ///< Least distance of flight from every edge, >= 0.
   Length hole_buffer{};  ///< Further distance from holes and obstacles, >= 0.
+  Length safety{};       ///< From obstacles, where `avoidance` says none, >= 0.
   EdgeMode edges = EdgeMode::cover_all;
   Length spray_margin{};  ///< In `stay_inside`: least distance of sprayed bands from every edge,
                           ///< for what the position may err, >= 0.

@@ -198,7 +198,8 @@ Expected<SwathCoverage, PlanError> swath_coverage(const Field& field, Length swa
   const Length kept =
       settings.edges == EdgeMode::stay_inside ? settings.spray_margin + 0.5 * overlap : Length{};
   const Length margin = std::max(settings.margin, kept);
-  const auto land = field_land(field, margin, settings.hole_buffer);
+  const auto land =
+      field_land(field, margin, settings.hole_buffer, planned_clearance(settings.safety));
   if (!land) return Unexpected{land.error()};
   // Rows are laid on what may be sprayed; what they cover is judged on all of the land.
   FieldLand sprayable = *land;

@@ -86,6 +86,52 @@ TEST_CASE("cells of a bent strip count abeam, in order, and as always where it i
 }
 
 // 2.9 m to either edge, and a detour takes 3 m.
+TEST_CASE("a wide tree is flown around with the valve closed and its cells count abeam") {
+  const SortieRoute route = route_of(strip(), alley(40, {{at_m(0.3, 50), metres(12)}}));
+  CHECK_FALSE(route.blocked_m);
+  const PieceOnPath& piece = route.pieces.front();
+  REQUIRE(piece.closed.size() == 1);
+  const auto [from_m, to_m] = piece.closed.front();
+  CHECK(from_m >= piece.open_m);
+  CHECK(to_m - from_m > 2 * 12);  // around it
+  CHECK(route.spray_m == Approx(piece.close_m - piece.open_m - (to_m - from_m)));
+  CHECK(piece.is_sprayed(from_m - 0.1));
+  CHECK_FALSE(piece.is_sprayed(0.5 * (from_m + to_m)));
+  CHECK(piece.is_sprayed(to_m + 0.1));
+  CHECK(piece.sprayed_m(from_m - 1, from_m + 1) == Approx(1));
+  CHECK(piece.valve_moves_m(from_m - 1, from_m + 1) == from_m);
+  CHECK(piece.valve_moves_m(to_m - 1, to_m + 1) == to_m);
+  for (std::uint32_t i = 1; i < 49; ++i) CHECK(route.cell_m(0, i) >= route.cell_m(0, i - 1));
+}
+
+TEST_CASE("a strip that begins or ends in a tree is flown as far as it is clear, no cell lost") {
+  // Clear from y = 1 + 3 m on, and a hand's breadth.
+  const SortieRoute begins =
+      sortie_route({-20, 0}, {{strip()}}, {0, 98}, sprayer(), {}, alley(40, {tree(0, 1)}));
+  CHECK_FALSE(begins.blocked_m);
+  const PieceOnPath& piece = begins.pieces.front();
+  CHECK(piece.close_m - piece.open_m == Approx(98 - 4.05).margin(0.01));
+  CHECK(begins.cell_m(0, 0) == Approx(piece.open_m));
+  // The centre of cell i lies at 1 + 2 i.
+  CHECK(begins.cell_m(0, 10) == Approx(piece.open_m + 21 - 4.05).margin(0.01));
+  CHECK(least_distance_m(begins, no_stop, at_m(0, 1)) > 3 - 1e-3);
+
+  const SortieRoute ends = route_of(strip(), alley(40, {tree(0, 97.5)}));
+  CHECK_FALSE(ends.blocked_m);
+  CHECK(ends.cell_m(0, 48) == Approx(ends.pieces.front().close_m));
+  CHECK(least_distance_m(ends, ends.pieces.front().close_m, at_m(0, 97.5)) > 3 - 1e-3);
+
+  // A tree 3 m wide with its clearance, 0.5 m behind the beginning: no turn fits before it.
+  const SortieRoute near_begin =
+      sortie_route({-20, 0}, {{strip()}}, {0, 98}, sprayer(), {}, alley(40, {tree(0, 3.5)}));
+  CHECK_FALSE(near_begin.blocked_m);
+  const PieceOnPath& behind = near_begin.pieces.front();
+  CHECK(behind.close_m - behind.open_m == Approx(98 - 6.55).margin(0.01));
+
+  // Nothing of a strip is clear: blocked as before.
+  CHECK(route_of(strip(), alley(200, {{at_m(1, 50), metres(60)}})).blocked_m);
+}
+
 TEST_CASE("a strip without room for a detour is blocked before the clearance") {
   const SortieRoute route = route_of(strip(), alley(2.9, {tree(0, 50)}));
   REQUIRE(route.blocked_m);

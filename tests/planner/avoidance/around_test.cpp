@@ -54,6 +54,30 @@ TEST_CASE("rows run on past trees: every strip and every way between keeps clear
   }
 }
 
+TEST_CASE("rows run on past small outlines and end at large ones, all at the safety distance") {
+  Field field{{at_m(0, 0), at_m(120, 0), at_m(120, 120), at_m(0, 120)}, {}, {}};
+  // A shed of 3 x 2 m on a row and a barn of 30 x 30 m, held by circles of 1.8 and 21 m.
+  field.obstacles = {outlined("shed", {at_m(14, 50), at_m(17, 50), at_m(17, 52), at_m(14, 52)}),
+                     outlined("barn", {at_m(60, 40), at_m(90, 40), at_m(90, 70), at_m(60, 70)})};
+  std::optional<AvoidanceRecord> record;
+  const auto made = coverage_around(field, metres(6), settings_around(), record);
+  REQUIRE(made);
+  CHECK(record->planned.targets == 1);
+  CHECK(record->planned.detours + record->planned.closed == 1);
+  CHECK(record->unjoined == 0);
+  for (const SwathStrip& strip : made->strips) {
+    std::vector<FieldPoint> way = strip.approach;
+    way.insert(way.end(), {strip.from, strip.to});
+    for (std::size_t i = 1; i < way.size(); ++i) {
+      const FieldVector leg = way[i] - way[i - 1];
+      for (int k = 0; k <= 200; ++k) {
+        const FieldPoint at = way[i - 1] + FieldVector{0.005 * k * leg.x, 0.005 * k * leg.y};
+        for (const Obstacle& o : field.obstacles) CHECK(-depth_in(o, at).base() > 1.5 - 1e-5);
+      }
+    }
+  }
+}
+
 TEST_CASE("strips and ways of a detour follow one another without a gap") {
   std::optional<AvoidanceRecord> record;
   const auto made = coverage_around(orchard(), metres(6), settings_around(), record);

@@ -27,7 +27,7 @@ Field field_of(double width_m, double length_m) {
 }
 
 Room room_for(const Field& field, Length safety) {
-  auto room = room_of(field, metres(0), metres(0), safety);
+  auto room = room_of(field, metres(0), metres(0), safety, metres(6));
   REQUIRE(room);
   return *room;
 }
@@ -64,6 +64,16 @@ AvoidanceSettings settings_of(AvoidanceMethod method) {
 }
 
 }  // namespace
+
+TEST_CASE("half circles clear trees beside the line that one over a target would enter") {
+  Field field = field_of(30, 100);
+  // On the line x = 9 that is flown southwards, and 5 m beside it on its left.
+  field.obstacles = {{"on", at_m(9, 50), metres(2)}, {"beside", at_m(14, 52), metres(1)}};
+  const AvoidancePlan plan = plan_avoidance(rows(2, 100, 6), room_for(field, metres(1.5)),
+                                            settings_of(AvoidanceMethod::classic));
+  CHECK(nearest_m(plan, at_m(9, 50)) > 2 + 1.5 - 0.02);
+  CHECK(nearest_m(plan, at_m(14, 52)) > 1 + 1.5 - 0.02);
+}
 
 TEST_CASE("strips without obstacles stay as they are") {
   const Field field = field_of(30, 100);

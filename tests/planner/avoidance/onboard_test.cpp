@@ -32,6 +32,28 @@ TEST_CASE("an aircraft on its line flies around an obstacle and is back on the l
   CHECK(room.is_free(plane(detour->way)));
 }
 
+TEST_CASE("a wide obstacle is flown around with the valve closed, one of about a swath is not") {
+  // The line cuts a circle of 15 m in half: an open valve would spray two neighbours of 6 m again
+  // all the way around, a closed one leaves what the turns cut off.
+  const OnboardLine line = north_from(0, 0);
+  const auto wide = onboard_detour(line, Room{{{{0.5, 50}, 15}}, {}, {}}, metres(3));
+  REQUIRE(wide);
+  CHECK_FALSE(wide->sprays);
+  // It leaves the line sqrt((3 + 15)^2 - (3 + 0.5)^2) = 17.66 m before the centre: R_z, R and
+  // R_z - L_d with the centre on the far side.
+  CHECK(wide->way[wide->leaves].x.base() == Approx(0).margin(1e-6));
+  CHECK(wide->way[wide->leaves].y.base() ==
+        Approx(50 - std::sqrt(18 * 18 - 2.5 * 2.5)).margin(0.2));
+  const auto slim = onboard_detour(line, Room{{{{0.5, 50}, 2.5}}, {}, {}}, metres(3));
+  REQUIRE(slim);
+  CHECK(slim->sprays);
+  // Where area counts nothing, an open valve is as good as a closed one.
+  const auto shortest =
+      onboard_detour(line, Room{{{{0.5, 50}, 15}}, {}, {}}, metres(3), {.length = 1, .area = 0});
+  REQUIRE(shortest);
+  CHECK(shortest->length.base() <= wide->length.base() + 1e-9);
+}
+
 TEST_CASE("an aircraft beside its line joins it first") {
   const Room room{{{{0, 60}, 3.5}}, {}, {}};
   const auto detour = onboard_detour(north_from(0.4, 10, M_PI / 2 + 0.05), room, metres(3));

@@ -49,6 +49,31 @@ TEST_CASE("grid: follows the field's own corner, and either orientation", "[plan
   CHECK(workable(*grid) == 4 * 3);
 }
 
+TEST_CASE("grid: ways between centres keep the safety distance from obstacles", "[planner]") {
+  Field field = paper_case::field(20, 20);
+  const auto left = [&](double safety_m) {
+    return workable(*field_grid(field, metres(2), {}, metres(safety_m)));
+  };
+  SECTION("half a cell is kept by every cell that is not touched") {
+    field.obstacles = {{"post", at_m(9, 9), metres(0.5)}};
+    CHECK(left(0) == 99);
+    CHECK(left(1) == 99);
+  }
+  SECTION("further away cells are left out by the distance of their centres") {
+    // Centres must be sqrt(2.5^2 + 1^2) = 2.69 m from the edge, 3.19 m from the middle of the post:
+    // 3 x 3 cells are nearer, the next at 4 m.
+    field.obstacles = {{"post", at_m(9, 9), metres(0.5)}};
+    CHECK(left(2.5) == 91);
+  }
+  SECTION("an outline as well") {
+    // 4 x 4 m on cell edges: its own 4 cells, the 8 beside it 1 m from its walls, and the 4 at its
+    // corners 1.41 m; 1.1 m need sqrt(1.1^2 + 1^2) = 1.49 m.
+    field.obstacles = {outlined("barn", {at_m(8, 8), at_m(12, 8), at_m(12, 12), at_m(8, 12)})};
+    CHECK(left(0) == 96);
+    CHECK(left(1.1) == 84);
+  }
+}
+
 TEST_CASE("grid: holes and obstacles take the cells they touch from within", "[planner]") {
   Field field = paper_case::field(20, 20);
 

@@ -53,6 +53,31 @@ TEST_CASE("a ferry way goes round the bay of a field, not over it") {
   CHECK(length_of(map->way(at_m(0, 130), at_m(150, 130))) == Approx(round_m).margin(1e-4));
 }
 
+TEST_CASE("a ferry way keeps the safety distance from a tree and from an outline") {
+  const Field field{
+      .boundary = {at_m(0, 0), at_m(100, 0), at_m(100, 100), at_m(0, 100)},
+      .holes = {},
+      .obstacles = {{"tree", at_m(30, 51), metres(3), {}},
+                    outlined("barn", {at_m(60, 45), at_m(80, 45), at_m(80, 60), at_m(60, 60)})}};
+  const std::vector<FieldPoint> stands{at_m(0, 50)};
+  const auto map = FerryMap::over(field, {.safety = metres(1.5), .corner_cut = metres(3)}, stands);
+  REQUIRE(map);
+  for (const FieldPoint to : {at_m(100, 50), at_m(82, 50), at_m(45, 50)}) {
+    for (const auto& way : {map->way(stands[0], to), map->way(to, at_m(5, 90))}) {
+      for (std::size_t i = 1; i < way.size(); ++i) {
+        for (int k = 0; k <= 100; ++k) {
+          const FieldVector leg = way[i] - way[i - 1];
+          const FieldPoint at = way[i - 1] + FieldVector{0.01 * k * leg.x, 0.01 * k * leg.y};
+          for (const Obstacle& o : field.obstacles) CHECK(-depth_in(o, at).base() > 1.5 - 1e-5);
+        }
+      }
+    }
+  }
+  const std::vector<FieldPoint> near{at_m(81, 50)};  // a metre from the barn
+  CHECK(FerryMap::over(field, {.safety = metres(1.5)}, near).error().fault ==
+        PlanFault::out_of_reach);
+}
+
 TEST_CASE("a ferry way keeps the buffer from a hole and from an obstacle") {
   const Field field{.boundary = {at_m(0, 0), at_m(100, 0), at_m(100, 100), at_m(0, 100)},
                     .holes = {{at_m(40, 40), at_m(60, 40), at_m(60, 60), at_m(40, 60)}},

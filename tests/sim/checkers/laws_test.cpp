@@ -28,13 +28,34 @@ TEST_CASE("laws: L22 a track too near to an obstacle that the plan flies around"
     s.say(scheduler_node(), 7, finished(4, 0));
     return broken_laws(f, s);
   };
-  CHECK(broken_at(1.3).empty());  // no plan to keep clear
-  f.plan.sweep.emplace();
-  f.plan.sweep->avoidance.emplace().safety = metres(1);
+  CHECK(broken_at(1.3).empty());  // no distance to keep
+  f.plan.safety = metres(1);
   CHECK(broken_at(1.41).empty());
   CHECK(broken_at(1.39) == std::vector<std::string>{"L22"});
   f.plan.uavs[0].vehicle.gnss.bias = metres(0.5);
   CHECK(broken_at(1.0).empty());
+  f.plan.uavs[0].vehicle.gnss = {.sigma = metres(0.12), .bias = {}};  // 0.4 m more than an RTK's
+  CHECK(broken_at(1.01).empty());
+  CHECK(broken_at(0.99) == Laws{"L22"});
+}
+
+TEST_CASE("laws: L22 a track too near to an outline", "[sim]") {
+  // A pond whose southern edge is at y = 10: 0.9 m of 1 m are left at y = 9.1.
+  Facts f = facts();
+  f.plan.safety = metres(1);
+  f.field.obstacles = {
+      outlined("pond", {at_m(-40, 10), at_m(60, 10), at_m(60, 30), at_m(-40, 30)})};
+  const auto broken_at = [&](double y_m) {
+    Script s = clean_run();
+    FlightRecord record = flight({0, 0});
+    record.track = {{at(6), at_m(2, y_m), false}};
+    s.say(node(one), 6, record);
+    s.say(scheduler_node(), 7, finished(4, 0));
+    return broken_laws(f, s);
+  };
+  CHECK(broken_at(9.09).empty());
+  CHECK(broken_at(9.11) == Laws{"L22"});
+  CHECK(broken_at(20) == Laws{"L22"});
 }
 
 TEST_CASE("laws: L22 a track too near to an obstacle that no plan knows, once it is there",
@@ -42,8 +63,7 @@ TEST_CASE("laws: L22 a track too near to an obstacle that no plan knows, once it
   // As above, at 1.39 m from the centre at 6 s.
   const auto broken_from = [](double appears_s) {
     Facts f = facts();
-    f.plan.sweep.emplace();
-    f.plan.sweep->avoidance.emplace().safety = metres(1);
+    f.plan.safety = metres(1);
     f.surprises = {{.id = "tree",
                     .obstacle = {at_m(20, 4), metres(0.5)},
                     .appears = at(appears_s),
@@ -57,6 +77,30 @@ TEST_CASE("laws: L22 a track too near to an obstacle that no plan knows, once it
   };
   CHECK(broken_from(0) == std::vector<std::string>{"L22"});
   CHECK(broken_from(6.5).empty());
+}
+
+TEST_CASE("laws: L22 nobody avoids what comes up within the way in which he stops", "[sim]") {
+  // Northwards at 4 m/s, 2 m before the edge of a tree that comes up at 6 s: at 3 m/s2 at most it
+  // stops in 2.7 m. It is excused until it has been clear of it once.
+  const auto broken_by = [](double appears_s, std::vector<double> later_y_m) {
+    Facts f = facts();
+    f.plan.safety = metres(1);
+    f.surprises = {{.id = "tree",
+                    .obstacle = {at_m(2, 12), metres(0.5)},
+                    .appears = at(appears_s),
+                    .seen_within = metres(20)}};
+    Script s = clean_run();
+    FlightRecord record = flight({0, 0});
+    record.track = {{at(5), at_m(2, 5.5), false}, {at(6), at_m(2, 9.5), false}};
+    double t = 7;
+    for (const double y_m : later_y_m) record.track.push_back({at(t++), at_m(2, y_m), false});
+    s.say(node(one), 6, record);
+    s.say(scheduler_node(), 7, finished(4, 0));
+    return broken_laws(f, s);
+  };
+  CHECK(broken_by(5.9, {11, 11, 9}).empty());
+  CHECK(broken_by(5.9, {11, 9, 11}) == Laws{"L22"});  // came back
+  CHECK(broken_by(4.9, {11}) == Laws{"L22"});         // it was there before
 }
 
 TEST_CASE("laws: L21 messages of strangers are told once and judged no further", "[sim]") {

@@ -29,6 +29,21 @@ TEST_CASE("a margin draws in the boundary and widens holes") {
   CHECK(flight_m2(holed, 5, 2) == Approx(90 * 90 - 34 * 34));
 }
 
+TEST_CASE("obstacles are kept from by the safety distance or by margin and buffer, the larger") {
+  Field field = plain(square(0, 0, 100));
+  field.holes = {square(10, 40, 20)};
+  field.obstacles = {outlined("barn", square(60, 40, 20))};
+  const auto left_m2 = [&](double margin_m, double buffer_m, double safety_m) {
+    return area_m2(field_land(field, metres(margin_m), metres(buffer_m), metres(safety_m))->flight);
+  };
+  // The barn grows by 3 m to each side, the hole by nothing; then both by 1 + 4 m.
+  CHECK(left_m2(0, 0, 3) == Approx(100 * 100 - 20 * 20 - 26 * 26));
+  CHECK(left_m2(1, 4, 3) == Approx(98 * 98 - 30 * 30 - 30 * 30));
+  const auto land = field_land(field, {}, {}, metres(3));
+  CHECK(area_m2(land->land) == Approx(100 * 100 - 2 * 20 * 20));  // sprayed up to the walls
+  CHECK(area_m2(land->taken) == Approx(20 * 20 + 26 * 26));
+}
+
 TEST_CASE("a margin splits a field at its neck and keeps both parts") {
   // Two squares of 40 m, joined by a neck 6 m wide.
   const Field field =

@@ -76,6 +76,15 @@ TEST_CASE("lengths to a line of places are those to each of them") {
       const double alone_m = paths.way_m(fan, line[i]);
       CHECK((ways_m[i] == alone_m || std::abs(ways_m[i] - alone_m) < 1e-9));
     }
+    const auto by_fan = paths.way(fan, to), searched = paths.shortest(fan.from, to);
+    REQUIRE(by_fan.has_value() == searched.has_value());
+    if (!by_fan) continue;
+    CHECK(length_m(*by_fan) == Approx(length_m(*searched)));
+    CHECK(by_fan->front() == fan.from);
+    CHECK(by_fan->back() == to);
+    for (std::size_t i = 1; i < by_fan->size(); ++i) {
+      CHECK(paths.edges().sees((*by_fan)[i - 1], (*by_fan)[i]));
+    }
   }
   CHECK(paths.ways_m(paths.fan({1, 1}), {}).empty());
 }
