@@ -144,7 +144,7 @@ void AgentNode::end_piece(Instant t) {
   if (route_piece_ == route_->pieces.size()) {
     phase_ = Phase::fly_back;
     leaving_.reset();
-    if (is_way_home_clear_) stop_m_ = before_blockage_m(no_stop);
+    if (next_way() == nullptr) stop_m_ = before_blockage_m(no_stop);
     sortie_.spray_ended = t;
     sortie_.returned_at = exit;
   }
@@ -197,14 +197,15 @@ void AgentNode::return_to_line(Instant t) {
     is_unfit_ = true;
     return leave(CloseReason::strayed, t);
   }
-  route_->pieces.clear();
+  forget_way();
   relicense();
 }
 
 // Turns for home while energy and mix still suffice for it. The way home is flown at ferry speed
 // whatever the wind, as far as an order is taken at all; the slack covers braking and turning.
 void AgentNode::watch_stores(Instant t) {
-  const bool must_go_home = leaving_ && *leaving_ != CloseReason::superseded;
+  const bool must_go_home = leaving_ && *leaving_ != CloseReason::superseded &&
+                            (*leaving_ != CloseReason::recalled || way_bound_to() == nullptr);
   if (must_go_home) return;
   const double slack_s = way_home_slack_s + (settings_.airspace ? hover_slack_s : 0.0);
   if (!reaches_home(slack_s)) return leave(CloseReason::battery_low, t);
@@ -264,15 +265,21 @@ void AgentNode::leave(CloseReason reason, Instant t) {
 }
 
 // The centre of the next cell at which it can stop, so that work resumes exactly there, or the end
-// of the piece; anywhere where nothing is sprayed.
+// of the piece; anywhere where nothing is sprayed. Where the air is shared nobody stops on a way,
+// unless its pack makes it.
 double AgentNode::leaving_stop_m() const {
   const double soonest_m =
       aircraft_.pilot().pace().along_m() + aircraft_.pilot().pace().braking_m();
+  const Way* way = way_bound_to();
+  const bool is_to_work = way != nullptr && way->to_piece < route_->pieces.size();
+  if (is_to_work && soonest_m <= way->ends_m && leaving_ != CloseReason::battery_low) {
+    return std::min(stop_m_, way->ends_m);
+  }
   if (route_piece_ >= route_->pieces.size() || leaving_ == CloseReason::superseded) {
     return std::min(stop_m_, soonest_m);
   }
   const PieceOnPath& piece = route_->pieces[route_piece_];
-  if (progress_m_ < piece.open_m) return std::min(stop_m_, soonest_m);
+  if (soonest_m <= piece.open_m) return std::min(stop_m_, soonest_m);
   for (std::uint32_t i = route_cell_; i < piece.piece.cells.count; ++i) {
     const bool is_end = i + 1 == piece.piece.cells.count && piece.has_tail();
     const double cell_m = is_end ? piece.close_m : route_->cell_m(route_piece_, i);
@@ -285,7 +292,7 @@ void AgentNode::come_to_rest(Instant t) {
   if (leaving_ == CloseReason::superseded) {
     leaving_.reset();
     is_astray_ = false;
-    route_->pieces.clear();
+    forget_way();
     if (order_->is_finished()) return fly_home(t);
     phase_ = Phase::hold;
     return is_recalled() ? leave(CloseReason::recalled, t) : relicense();
@@ -293,7 +300,7 @@ void AgentNode::come_to_rest(Instant t) {
   if (leaving_) return fly_home(t);
   if (is_astray_) return return_to_line(t);
   if (is_blocked()) return meet_blockage(t);
-  if (awaits_way()) return;
+  if (awaits_way() && may_fly(*next_way())) return;
   if (phase_ == Phase::fly_back) return land(t);
   if (phase_ != Phase::hold && stop_m_ < no_stop) begin_hold(t);
 }
@@ -327,7 +334,7 @@ void AgentNode::fly_home(Instant t) {
 void AgentNode::go_home() {
   follow(lay(aircraft_.estimate_m(), {}, metres(aircraft_.altitude_m())));
   phase_ = Phase::fly_back;
-  stop_m_ = is_way_out_clear_ ? before_blockage_m(no_stop) : 0.0;
+  stop_m_ = next_way() == nullptr ? before_blockage_m(no_stop) : 0.0;
 }
 
 void AgentNode::follow(SortieRoute route) {
@@ -336,8 +343,7 @@ void AgentNode::follow(SortieRoute route) {
   route_ = std::move(route);
   laid_altitude_m_ = aircraft_.altitude_m();
   slot_.drop();
-  is_way_out_clear_ = !settings_.airspace || first_way_m(*route_) < 2.0 * vehicle_.swath.base();
-  is_way_home_clear_ = !settings_.airspace;
+  ways_given_ = route_->ways.front().ends_m < 2.0 * vehicle_.swath.base() ? 1 : 0;
   laid_from_m_ = route_->path.segments().front().from;  // the estimate moves at take-off
   aircraft_.follow(route_->path);
   route_piece_ = 0;
@@ -362,9 +368,10 @@ void AgentNode::relicense() {
 
 // The last licensed cell before the first that is not.
 double AgentNode::licensed_stop_m() const {
-  if (!is_way_out_clear_) return 0.0;
+  const Way* way = next_way();
   double stop_m = no_stop;  // of what lies before
   for (std::size_t i = route_piece_; i < route_->pieces.size(); ++i) {
+    if (way != nullptr && way->to_piece == i) return way->begins_m;
     const PieceOnPath& piece = route_->pieces[i];
     const CellRange cells = piece.piece.cells;
     const std::uint32_t first = cells.first + (i == route_piece_ ? route_cell_ : 0);
@@ -374,7 +381,7 @@ double AgentNode::licensed_stop_m() const {
     }
     stop_m = piece.has_tail() ? piece.close_m : route_->cell_m(i, cells.count - 1);
   }
-  return is_way_home_clear_ ? no_stop : stop_m;
+  return way == nullptr ? no_stop : way->begins_m;
 }
 
 void AgentNode::flush_flight_log() {

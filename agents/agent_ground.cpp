@@ -306,7 +306,7 @@ void AgentNode::take_off(SortieRoute route, Instant t) {
   aircraft_.take_off();
   aircraft_.start_at(route.heights.altitude_m(0.0));
   follow(std::move(route));
-  is_way_out_clear_ = true;
+  ways_given_ = 1;
   phase_ = works ? Phase::fly_out : Phase::fly_back;
   if (!works) stop_m_ = before_blockage_m(no_stop);
   log_.point(last_tick_, aircraft_.truth_m(), aircraft_.altitude_m(), false);

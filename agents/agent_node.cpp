@@ -148,7 +148,7 @@ Instant AgentNode::next_flight_event(Instant now) const {
     const PieceOnPath& piece = route_->pieces[route_piece_];
     target_m = std::min(target_m, progress_m_ < piece.open_m ? piece.open_m : piece.close_m);
   }
-  if (is_way_home_due()) target_m = std::min(target_m, claim_from_m());
+  if (is_way_due()) target_m = std::min(target_m, claim_from_m());
   const double rest_m = target_m - aircraft_.along_m();
   if (phase_ == Phase::hold && !leaving_ && !is_astray_) return never;
   const double speed_mps = std::max(vehicle_.ferry_speed, vehicle_.spray_speed).base();

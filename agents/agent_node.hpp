@@ -94,15 +94,20 @@ class AgentNode {
   void receive_grant(const FlightGrant& grant, Instant now);
   void mind_traffic(Instant begins);
   void wait_for_way(Instant begins);
-  void claim_way_home(Instant begins);
+  void claim_way(Instant begins);
   void open_way();
-  void ask_for_way(Departure departure, Instant at);
+  void ask_for_way(const Way& way, Departure departure, Instant at);
   void announce_way();
+  void forget_way();
   bool may_take_off(Instant now);
   void ask_to_take_off(const SortieRoute& route, Instant now);
+  const Way* next_way() const;
+  const Way* way_given() const;
+  const Way* way_bound_to() const;
+  CellRange cells_at_end(const Way& way, const SortieRoute& route) const;
   bool awaits_way() const;
-  bool is_way_home_due() const;
-  double work_end_m() const;
+  bool may_fly(const Way& way) const;
+  bool is_way_due() const;
   double claim_from_m() const;
   const planner::HeightRule& height_rule() const;
   SortieRoute lay(Xy from_m, std::span<const Piece> pieces,
@@ -203,7 +208,7 @@ class AgentNode {
 
   // The air it shares.
   FlightSlot slot_;
-  bool is_way_out_clear_ = true, is_way_home_clear_ = true;  // of the route
+  std::size_t ways_given_ = 0;  // of the route's
   Duration lead_{200'000'000};  // from a claim to the departure it asks for
   bool diverts_ = false;        // stands ready to fly to another station
 

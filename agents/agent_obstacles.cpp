@@ -119,7 +119,7 @@ void AgentNode::meet_blockage(Instant t) {
                           ": an obstacle leaves no way around");
   ledger_.close_blocked(order_->next_cell(), t);
   next_report_ = t;
-  route_->pieces.clear();
+  forget_way();
 }
 
 }  // namespace furrow::agents

@@ -32,13 +32,11 @@ void AgentNode::come_home(Instant t) {
   leave(CloseReason::recalled, t);
 }
 
-// Who is on its way home lands: hovering there would only cost its pack. Where the air is shared,
-// who is on its way out does not stop in it.
+// Who is on its way home lands: hovering there would only cost its pack.
 void AgentNode::pause() {
   const bool is_at_work = phase_ == Phase::fly_out || phase_ == Phase::spray;
   if (!is_at_work || leaving_ || is_astray_) return;
-  const bool is_on_way = settings_.airspace && phase_ == Phase::fly_out;
-  stop_m_ = is_on_way ? std::min(stop_m_, first_way_m(*route_)) : leaving_stop_m();
+  stop_m_ = leaving_stop_m();
 }
 
 void AgentNode::go_on(Instant t) {

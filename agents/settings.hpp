@@ -15,7 +15,7 @@
 
 namespace furrow::agents {
 
-/// How an aircraft flies where it shares the air: it claims each way between stations and work, and
+/// How an aircraft flies where it shares the air: it claims each way that is not work, and
 /// over level land flies it at a height of its own.
 struct AirspaceRule {
   Length layer{};  ///< Above the height of work; over terrain the layer of the relief counts.

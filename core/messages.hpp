@@ -177,6 +177,8 @@ struct StationState {
   std::uint32_t swaps;         ///< Charged packs handed out so far.
   Volume filled;               ///< Mix handed out so far.
   std::uint32_t open_bays;     ///< Those that are not shut for good.
+  /// When one who comes now is expected to have a bay, behind all who wait; `never` without bays.
+  Instant next_free{};
 };
 
 enum class MissionPhase : std::uint8_t { gathering = 1, flying = 2, finished = 3 };
@@ -320,6 +322,8 @@ struct FlightClaim {
   BootId boot;
   std::uint64_t claim;  ///< 1, 2, 3, ... per agent.
   Departure departure;
+  /// Of the piece that it leads to; none: it leads to a station.
+  CellRange leads_to{};
   /// Straight and even from place to place, times rising, at least two places. The first is where
   /// it begins if it is not put off.
   std::vector<TimedPlace> track;

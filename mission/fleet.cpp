@@ -189,7 +189,8 @@ AnyNode scheduler_node(const Scenario& scenario, const scheduler::FleetPlan& pla
                                            .agent_lease = scenario.agent_lease,
                                            .mission_limit = scenario.mission_limit,
                                            .orders = operator_orders(scenario),
-                                           .separation = scenario.separation}}};
+                                           .separation = scenario.separation,
+                                           .stations = scenario.stations}}};
 }
 
 AnyNode supply_node(const Scenario& scenario, StationId station) {

@@ -17,83 +17,125 @@ FieldPoint nearest(FieldPoint p, FieldPoint from, FieldPoint to) {
   return at_m(on.x, on.y);
 }
 
+bool contains(CellRange cells, std::uint32_t cell) {
+  return cell >= cells.first && cell < end(cells);
+}
+
 }  // namespace
 
 void SchedulerNode::hear(const FlightClaim& claim, Instant now, Outbox& out) {
-  if (member(claim.agent, claim.boot, now) == nullptr || claim.track.size() < 2) return;
+  Member* claimant = member(claim.agent, claim.boot, now);
+  if (claimant == nullptr || claim.track.size() < 2) return;
+  if (claim.departure == Departure::from_hover) {
+    claimant->place = {now, claim.track.front().position, 0.0};
+  }
   if (!airspace_) {
     const Instant departs = std::max(now, claim.track.front().at);
     out.messages.push_back(FlightGrant{claim.agent, claim.boot, claim.claim, true, departs});
-  } else if (auto grant = airspace_->answer(claim, work_sites(now), now)) {
+  } else if (auto grant = airspace_->answer(claim, work_sites(*claimant, claim, now), now)) {
     out.messages.push_back(*grant);
   }
 }
 
-std::vector<WorkSite> SchedulerNode::work_sites(Instant now) const {
+std::vector<WorkSite> SchedulerNode::work_sites(const Member& claimant, const FlightClaim& claim,
+                                                Instant now) const {
   std::vector<WorkSite> sites;
   for (const Member& m : members_) {
-    if (!m.lost) add_sites(m, now, sites);
+    if (!m.lost && m.agent != claimant.agent) add_sites(m, now, sites);
   }
+  add_work_after(claimant, claim.track.back(), claim.leads_to, sites);
   return sites;
 }
 
-// Where and when an agent is or will be at work. Until its way home is its own it may hover at the
-// end of its work for as long as it takes.
+// Where and when an agent is or will be at work, up to its next way.
 void SchedulerNode::add_sites(const Member& m, Instant now, std::vector<WorkSite>& sites) const {
+  const bool is_at_work =
+      m.phase == Phase::fly_out || m.phase == Phase::spray || m.phase == Phase::hold;
+  const bool hovers = m.phase == Phase::hold;
   const auto arrives = airspace_->arrival(m.agent, now);
   const std::size_t first = sites.size();
-  const bool is_at_work = m.phase == Phase::spray || m.phase == Phase::hold;
-  const bool flies_home =
-      arrives && (m.phase == Phase::fly_back || arrives->departure == Departure::in_motion);
-  if (is_at_work) {
-    add_work(m, m.place, now, sites);
+  if (arrives && !hovers && (m.phase != Phase::fly_back || arrives->leads_to.count == 0)) {
+    add_work_after(m, arrives->place, arrives->leads_to, sites);
+  } else if (is_at_work) {
+    add_work(m, m.place, work_ahead(m), sites);
   } else if (m.phase == Phase::fly_back) {
-    TimedPlace here = m.place;
-    if (!flies_home) add_site(m.agent, here, here.position, m.vehicle.ferry_speed, sites);
-  } else if (arrives) {
-    add_work(m, arrives->place, now, sites);
+    add_work(m, m.place, {}, sites);
   }
-  if (sites.size() == first) return;
-  if (!flies_home) sites.back().leaves = never;
-  if (m.phase != Phase::hold) return;
+  if (!hovers) return;
   for (std::size_t i = first; i < sites.size(); ++i) sites[i].leaves = never;
 }
 
-// It is nowhere sooner than at full speed; where it turns or brakes it comes later.
-void SchedulerNode::add_work(const Member& m, TimedPlace from, Instant now,
+void SchedulerNode::add_work_after(const Member& m, const TimedPlace& arrives, CellRange leads_to,
+                                   std::vector<WorkSite>& sites) const {
+  if (leads_to.count > 0) add_work(m, arrives, work_from(m, leads_to.first), sites);
+}
+
+// It is nowhere sooner than at full speed; where it turns or brakes it comes later. At its end it
+// may hover for as long as it takes until its way is its own.
+void SchedulerNode::add_work(const Member& m, TimedPlace from, const std::vector<Piece>& pieces,
                              std::vector<WorkSite>& sites) const {
-  const std::vector<Piece> rest = rest_of_sortie(m);
   const Speed work = m.vehicle.spray_speed, way = m.vehicle.ferry_speed;
+  const Instant ends = from.at + horizon;
   add_site(m.agent, from, from.position, work, sites);
-  for (const Piece& piece : rest) {
-    const bool is_first = &piece == &rest.front();
+  for (const Piece& piece : pieces) {
+    const bool is_first = &piece == &pieces.front();
     const FieldPoint enters =
         is_first ? nearest(from.position, piece.entry, piece.exit) : piece.entry;
     add_site(m.agent, from, enters, way, sites);
     add_site(m.agent, from, piece.exit, work, sites);
-    if (from.at > now + horizon) return;
+    if (from.at > ends) return;
   }
   add_site(m.agent, from, from.position, work, sites);
+  sites.back().leaves = never;
 }
 
-// The pieces of its sortie that are not done, the first from where it is not.
-std::vector<Piece> SchedulerNode::rest_of_sortie(const Member& m) const {
-  const auto is_left = [this](std::uint32_t cell) {
-    const CellState state = ledger_.state(cell);
-    return state == CellState::open || state == CellState::granted;
-  };
-  std::vector<Piece> rest;
+// The pieces of its sortie that are not done, up to the next way, the first from where it is not.
+// None where it is before a way.
+std::vector<Piece> SchedulerNode::work_ahead(const Member& m) const {
   for (const SortieOrder& sortie : m.sorties) {
-    for (Piece piece : sortie.pieces) {
-      std::uint32_t cell = piece.cells.first;
-      while (cell < end(piece.cells) && !is_left(cell)) ++cell;
-      if (cell == end(piece.cells)) continue;
-      if (cell > piece.cells.first) piece.entry = settings_.plan.route.centers[cell];
-      rest.push_back(piece);
+    for (std::size_t i = 0; i < sortie.pieces.size(); ++i) {
+      const Piece& piece = sortie.pieces[i];
+      const auto left = first_left(piece);
+      if (!left) continue;
+      const Piece* before = i > 0 && *left == piece.cells.first ? &sortie.pieces[i - 1] : nullptr;
+      const bool is_before_way =
+          before != nullptr && planner::are_apart(*before, piece) &&
+          distance(m.place.position, before->exit) < distance(m.place.position, piece.entry);
+      return is_before_way ? std::vector<Piece>{} : up_to_way(sortie, i);
     }
-    if (!rest.empty()) break;
   }
-  return rest;
+  return {};
+}
+
+// The same from a cell on.
+std::vector<Piece> SchedulerNode::work_from(const Member& m, std::uint32_t cell) const {
+  for (const SortieOrder& sortie : m.sorties) {
+    for (std::size_t i = 0; i < sortie.pieces.size(); ++i) {
+      if (contains(sortie.pieces[i].cells, cell)) return up_to_way(sortie, i);
+    }
+  }
+  return {};
+}
+
+std::vector<Piece> SchedulerNode::up_to_way(const SortieOrder& sortie, std::size_t first) const {
+  std::vector<Piece> pieces;
+  for (std::size_t i = first; i < sortie.pieces.size(); ++i) {
+    Piece piece = sortie.pieces[i];
+    if (i > first && planner::are_apart(sortie.pieces[i - 1], piece)) break;
+    const auto left = first_left(piece);
+    if (!left) continue;
+    if (*left > piece.cells.first) piece.entry = settings_.plan.route.centers[*left];
+    pieces.push_back(std::move(piece));
+  }
+  return pieces;
+}
+
+std::optional<std::uint32_t> SchedulerNode::first_left(const Piece& piece) const {
+  for (std::uint32_t cell = piece.cells.first; cell < end(piece.cells); ++cell) {
+    const CellState state = ledger_.state(cell);
+    if (state == CellState::open || state == CellState::granted) return cell;
+  }
+  return std::nullopt;
 }
 
 void SchedulerNode::add_site(AgentId agent, TimedPlace& from, FieldPoint to, Speed speed,

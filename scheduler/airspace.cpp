@@ -10,9 +10,9 @@
 namespace furrow::scheduler {
 namespace {
 
-constexpr double level_room_m = 1.5, upright_room_m = 0.3, line_room_m = 0.5;
+constexpr double upright_room_m = 0.3, line_room_m = 0.5;
 constexpr Duration period{100'000'000};  // to which aircraft keep time
-constexpr Duration step{500'000'000}, longest_delay{120'000'000'000};
+constexpr Duration longest_delay{120'000'000'000};
 
 using Place = std::array<double, 3>;  // [m], heights stretched
 
@@ -112,36 +112,54 @@ std::optional<FlightGrant> Airspace::answer(const FlightClaim& claim,
     if (is_clear(claim, low, Duration{})) return book(claim, Duration{});
     return FlightGrant{claim.agent, claim.boot, claim.claim, false, now};
   }
+  std::erase_if(flights_, [&](const Flight& f) { return f.agent == claim.agent; });  // given up
   const auto put_off = delay(claim, low, now);
   return put_off ? std::optional{book(claim, *put_off)} : std::nullopt;
 }
 
 std::optional<Airspace::Arrival> Airspace::arrival(AgentId agent, Instant now) const {
   for (const Flight& f : flights_) {
-    if (f.agent == agent && f.track.back().at >= now) return Arrival{f.track.back(), f.departure};
+    if (f.agent == agent && f.track.back().at >= now) return Arrival{f.track.back(), f.leads_to};
   }
   return std::nullopt;
 }
 
+// Of the claimed track by the others' sites, and of the others' tracks by the claimant's.
 std::vector<Airspace::Pass> Airspace::passes(const FlightClaim& claim,
                                              const std::vector<WorkSite>& sites) const {
   std::vector<Pass> found;
   for (const WorkSite& site : sites) {
-    if (site.agent == claim.agent) continue;
-    for (std::size_t i = 1; i < claim.track.size(); ++i) {
-      const auto low = low_part(claim.track[i - 1], claim.track[i], site.altitude_m, upright_m_);
-      if (!low || planner::apart_m(low->from, low->to, plane(site.from), plane(site.to)) >= line_m_)
-        continue;
-      found.push_back({low->enters, low->leaves, site.enters, site.leaves});
+    if (site.agent != claim.agent) {
+      add_passes(claim.track, site, false, found);
+      continue;
+    }
+    for (const Flight& f : flights_) {
+      if (f.agent != claim.agent) add_passes(f.track, site, true, found);
     }
   }
   return found;
 }
 
+// But for those that are over before the claimant is there, however long it is put off.
+void Airspace::add_passes(const Track& track, const WorkSite& site, bool is_own,
+                          std::vector<Pass>& found) const {
+  for (std::size_t i = 1; i < track.size(); ++i) {
+    const TimedPlace &a = track[i - 1], &b = track[i];
+    if (is_own ? b.at < site.enters : site.leaves < a.at) continue;
+    const auto low = low_part(a, b, site.altitude_m, upright_m_);
+    const bool is_near =
+        low && planner::apart_m(low->from, low->to, plane(site.from), plane(site.to)) < line_m_;
+    if (!is_near) continue;
+    found.push_back(is_own ? Pass{site.enters, site.leaves, low->enters, low->leaves}
+                           : Pass{low->enters, low->leaves, site.enters, site.leaves});
+  }
+}
+
 bool Airspace::is_clear(const FlightClaim& claim, const std::vector<Pass>& passes,
                         Duration delay) const {
   const bool is_met = std::any_of(passes.begin(), passes.end(), [delay](const Pass& p) {
-    return p.leaves + delay >= p.site_enters && p.enters + delay <= p.site_leaves;
+    const Instant leaves = p.leaves == never ? never : p.leaves + delay;
+    return leaves >= p.other_enters && p.enters + delay <= p.other_leaves;
   });
   if (is_met) return false;
   const Track track = put_off(claim.track, delay);
@@ -168,7 +186,7 @@ FlightGrant Airspace::book(const FlightClaim& claim, Duration delay) {
   if (claim.departure == Departure::from_hover && delay > Duration{}) {
     track.insert(track.begin(), claim.track.front());
   }
-  flights_.push_back({claim.agent, claim.departure, grant, std::move(track)});
+  flights_.push_back({claim.agent, claim.leads_to, grant, std::move(track)});
   return grant;
 }
 

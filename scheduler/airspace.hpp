@@ -25,20 +25,24 @@ struct WorkSite {
 /// Time O(n p) for each instant tried, n flights and p places of the longest track.
 class Airspace {
  public:
+  /// That tracks keep beyond the distance, in plan, and the steps in which flights are put off.
+  static constexpr double level_room_m = 1.5;
+  static constexpr Duration step{500'000'000};
+
   /// @param distance  That two aircraft in the air keep, > 0.
   explicit Airspace(Length distance);
 
   /// What to tell the claimant: the same for the same claim, however often it is said. Nothing
   /// where the flight is not clear within two minutes: it may be claimed again.
-  /// @param sites  Of all who are at work or on their way to it; the claimant's own are passed
-  /// over.
+  /// @param sites  Of all who are at work or on their way to it, the claimant's own from the end of
+  /// the flight on, if it is not put off.
   std::optional<FlightGrant> answer(const FlightClaim& claim, const std::vector<WorkSite>& sites,
                                     Instant now);
 
-  /// Where and when the flight given to an aircraft ends, and what it begins with.
+  /// Where and when the flight given to an aircraft ends, and the work that it leads to.
   struct Arrival {
     TimedPlace place;
-    Departure departure;
+    CellRange leads_to;
   };
   /// None once it has ended.
   std::optional<Arrival> arrival(AgentId agent, Instant now) const;
@@ -47,18 +51,21 @@ class Airspace {
   using Track = std::vector<TimedPlace>;
   struct Flight {
     AgentId agent;
-    Departure departure;
+    CellRange leads_to;
     FlightGrant grant;
     Track track;
   };
 
-  /// A low part of a track by a site near it, and when both are there.
+  /// A low part of a track by a site near it: when the claimant is there, if it is not put off, and
+  /// when the other is.
   struct Pass {
     Instant enters, leaves;
-    Instant site_enters, site_leaves;
+    Instant other_enters, other_leaves;
   };
 
   std::vector<Pass> passes(const FlightClaim& claim, const std::vector<WorkSite>& sites) const;
+  void add_passes(const Track& track, const WorkSite& site, bool is_own,
+                  std::vector<Pass>& found) const;
   bool is_clear(const FlightClaim& claim, const std::vector<Pass>& passes, Duration delay) const;
   std::optional<Duration> delay(const FlightClaim& claim, const std::vector<Pass>& passes,
                                 Instant now) const;

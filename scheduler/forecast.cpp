@@ -3,7 +3,10 @@
 #include "core/require.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <map>
 #include <numeric>
+#include <set>
 
 namespace furrow::scheduler {
 namespace {
@@ -27,13 +30,16 @@ bool is_later(const Arrival& a, const Arrival& b) {
 }
 
 /// Serves the visits of `itineraries` in order of arrival. `bays(i, n)` gives the bays that visit n
-/// of itinerary i may use, by when they are free; `served(i, visit)` hears of each. A later arrival
-/// never changes an earlier service, so one pass is enough.
-template <class Bays, class Served>
-void serve(std::span<const Itinerary> itineraries, Bays bays, Served served) {
+/// of itinerary i may use, by when they are free; `leaves(i, n, ready_s)` says when one that is
+/// ready for flight n takes off; `served(i, visit)` hears of each. A later arrival never changes an
+/// earlier service, so one pass is enough.
+template <class Bays, class Leaves, class Served>
+void serve(std::span<const Itinerary> itineraries, Bays bays, Leaves leaves, Served served) {
   std::vector<Arrival> arrivals;
   std::vector<std::size_t> next(itineraries.size(), 0);
-  const auto arrive = [&](std::size_t i, double leaves_s) {
+  const auto arrive = [&](std::size_t i, double ready_s) {
+    if (!itineraries[i].flies) return;
+    const double leaves_s = leaves(i, next[i], ready_s);
     if (next[i] >= itineraries[i].flights_s.size()) return;
     arrivals.push_back({leaves_s + itineraries[i].flights_s[next[i]], i});
     std::push_heap(arrivals.begin(), arrivals.end(), is_later);
@@ -53,6 +59,42 @@ void serve(std::span<const Itinerary> itineraries, Bays bays, Served served) {
     arrive(i, ready_s);
   }
 }
+
+double as_ready(std::size_t, std::size_t, double ready_s) { return ready_s; }
+
+/// When aircraft take off from each pad.
+class TakeOffs {
+ public:
+  TakeOffs(std::span<const Itinerary> itineraries, const Pads& pads)
+      : itineraries_{itineraries}, pads_{pads}, left_s_(itineraries.size(), 0.0) {}
+
+  double operator()(std::size_t i, std::size_t flight, double ready_s) {
+    return left_s_[i] = pads_.slot_s > 0.0 ? first_free_s(pad(i, flight), ready_s) : ready_s;
+  }
+  /// The last of an itinerary.
+  double left_s(std::size_t i) const { return left_s_[i]; }
+
+ private:
+  std::uint32_t pad(std::size_t i, std::size_t flight) const {
+    return flight == 0 ? pads_.homes[i] : pads_.stations[itineraries_[i].stations[flight - 1]];
+  }
+  /// Takes the first slot from `ready_s` on that is nobody's.
+  double first_free_s(std::uint32_t pad, double ready_s) {
+    std::set<double>& taken = taken_[pad];
+    double at_s = ready_s;
+    for (auto other = taken.upper_bound(ready_s - pads_.slot_s); other != taken.end(); ++other) {
+      if (*other >= at_s + pads_.slot_s) break;
+      at_s = *other + pads_.slot_s;
+    }
+    taken.insert(at_s);
+    return at_s;
+  }
+
+  std::span<const Itinerary> itineraries_;
+  const Pads& pads_;
+  std::vector<double> left_s_;
+  std::map<std::uint32_t, std::set<double>> taken_{};
+};
 
 }  // namespace
 
@@ -112,7 +154,8 @@ std::tuple<double, double> worth(std::span<const double> spray_ends_s) {
 
 std::tuple<double, double> worth(const Forecast& f) { return worth(f.spray_ends_s); }
 
-Forecast forecast(std::span<const Itinerary> itineraries, std::span<const Station> stations) {
+Forecast forecast(std::span<const Itinerary> itineraries, std::span<const Station> stations,
+                  const Pads& pads) {
   const std::size_t count = itineraries.size();
   Forecast f;
   f.visits.resize(count);
@@ -121,9 +164,11 @@ Forecast forecast(std::span<const Itinerary> itineraries, std::span<const Statio
   std::vector<std::vector<double>> free_s;
   free_s.reserve(stations.size());
   for (const Station& s : stations) free_s.emplace_back(s.bays, 0.0);
+  TakeOffs take_offs{itineraries, pads};
   serve(
       itineraries,
       [&](std::size_t i, std::size_t n) -> auto& { return free_s[itineraries[i].stations[n]]; },
+      std::ref(take_offs),
       [&](std::size_t i, const Visit& visit) {
         f.visits[i].push_back(visit);
         f.queue_wait_s += visit.starts_s - visit.arrives_s;
@@ -131,8 +176,7 @@ Forecast forecast(std::span<const Itinerary> itineraries, std::span<const Statio
   for (std::size_t i = 0; i < count; ++i) {
     const Itinerary& it = itineraries[i];
     if (!it.flies) continue;
-    const double leaves_s = f.visits[i].empty() ? it.begins_s : f.visits[i].back().ready_s;
-    f.spray_ends_s[i] = leaves_s + it.last_spray_s;
+    f.spray_ends_s[i] = take_offs.left_s(i) + it.last_spray_s;
     f.lands_s[i] = f.spray_ends_s[i] + it.last_home_s;
     f.makespan_s = std::max(f.makespan_s, f.spray_ends_s[i]);
   }
@@ -178,7 +222,7 @@ double QueueClock::queue_wait_s(std::size_t index, Itinerary other) {
   double wait_s = 0.0;
   free_s_.assign(free_s_.size(), 0.0);
   serve(
-      itineraries_, [&](std::size_t, std::size_t) -> auto& { return free_s_; },
+      itineraries_, [&](std::size_t, std::size_t) -> auto& { return free_s_; }, as_ready,
       [&](std::size_t, const Visit& v) { wait_s += v.starts_s - v.arrives_s; });
   return wait_s;
 }

@@ -56,11 +56,20 @@ std::tuple<double, double> worth(const Forecast& forecast);
 /// @param spray_ends_s  By aircraft.
 std::tuple<double, double> worth(std::span<const double> spray_ends_s);
 
+/// Where flights begin one by one.
+struct Pads {
+  double slot_s = 0.0;                    ///< From one take-off to the next from the same pad.
+  std::vector<std::uint32_t> homes{};     ///< By itinerary: the pad of its first take-off.
+  std::vector<std::uint32_t> stations{};  ///< By station: the pad there.
+};
+
 /// Flies all itineraries, each from its begin. Each station serves first come first served, those
 /// who come at the same instant by agent id, in the lowest free bay.
 ///
-/// Time O(visits * (log itineraries + bays)).
-Forecast forecast(std::span<const Itinerary> itineraries, std::span<const Station> stations);
+/// @param pads  Without a slot whoever is ready takes off.
+/// Time O(visits * (log itineraries + bays)), with pads the take-offs of one besides.
+Forecast forecast(std::span<const Itinerary> itineraries, std::span<const Station> stations,
+                  const Pads& pads = {});
 
 /// When each of a fleet is done, changed one by one. Each aircraft keeps to one station, so only
 /// the queues that it leaves and joins are flown again.

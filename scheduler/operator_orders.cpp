@@ -67,6 +67,18 @@ void SchedulerNode::set_level(FleetLevel level, std::string_view kind, std::stri
       event(kind, text(scheduler_node()) + " " + std::string{what} + ", as the operator orders"));
 }
 
+/// While the fleet is held all forecasts move with the clock.
+void SchedulerNode::keep_time(Instant now) {
+  if (held_since_) {
+    const double held_s = seconds(now - *held_since_).base();
+    for (Member& m : members_) {
+      if (!m.pieces.empty()) m.lands_s += held_s;
+    }
+  }
+  const bool is_held = level_ == FleetLevel::hold || level_ == FleetLevel::land;
+  held_since_ = is_held && phase_ == MissionPhase::flying ? std::optional{now} : std::nullopt;
+}
+
 void SchedulerNode::take_out(AgentId agent, std::string_view why, Outbox& out) {
   for (Member& m : members_) {
     if (m.agent != agent || m.is_out) continue;

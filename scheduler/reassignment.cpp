@@ -16,6 +16,13 @@ namespace {
 
 constexpr std::uint32_t most_losses = 3;  // on one strip, until nobody is sent there again
 
+/// Whether a station has given away all of its mix or all of its charged packs.
+bool has_run_out(const Station& station, const StationState& state) {
+  constexpr Volume drop = litres(1e-6);
+  return (station.mix && state.filled + drop >= *station.mix) ||
+         (station.packs && state.swaps >= *station.packs);
+}
+
 /// Over the field, where what it works on may be the end of it.
 bool is_at_work(Phase phase) {
   return phase == Phase::fly_out || phase == Phase::spray || phase == Phase::hold;
@@ -64,7 +71,8 @@ void SchedulerNode::share_out(Instant now, Outbox& out) {
     able.push_back(&m);
     survivors.push_back(survivor(m, now));
   }
-  Takeover shared = take_over(settings_.plan.route, orphans, survivors, settings_.effort);
+  Takeover shared =
+      take_over(settings_.plan.route, orphans, survivors, settings_.effort, open_stations());
   for (std::size_t i = 0; i < able.size(); ++i)
     extend(*able[i], std::move(shared.additions[i]), out);
   const std::string_view why =
@@ -91,27 +99,42 @@ void SchedulerNode::welcome(Instant now, Outbox& out) {
   if (is_new) share_anew(now, out);
 }
 
-/// What it says of bays that are shut; they are never opened again.
+/// What it says of bays that are shut and of its stock; neither is ever mended.
 void SchedulerNode::hear(const StationState& state, Outbox& out) {
   const auto known = std::find_if(stations_.begin(), stations_.end(),
                                   [&](const Station& s) { return s.id == state.station; });
-  if (known == stations_.end() || state.open_bays >= known->bays) return;
-  if (state.open_bays == 0 && !shut_.insert(known->id).second) return;
+  if (known == stations_.end() || shut_.contains(known->id)) return;
+  if (has_run_out(*known, state)) {
+    shut_.insert(known->id);
+    has_supply_failed_ = true;
+    out.messages.push_back(event("stock_empty", text(node(known->id)) + " has come to the end of " +
+                                                    "its stock and is not planned with any more"));
+    return;
+  }
+  if (state.open_bays >= known->bays) return;
+  if (state.open_bays == 0) shut_.insert(known->id);
   known->bays = std::max(state.open_bays, 1U);
   for (Member& m : members_) {
     if (m.station.id == known->id) m.station.bays = known->bays;
   }
-  has_bay_failed_ = true;
+  has_supply_failed_ = true;
   out.messages.push_back(event("bays_planned", text(node(known->id)) + " has " +
                                                    std::to_string(state.open_bays) +
                                                    " bays left to plan with"));
 }
 
 /// Sends what nobody has begun to stations that are open.
-void SchedulerNode::plan_for_failed_bays(Instant now, Outbox& out) {
-  if (phase_ != MissionPhase::flying || !has_bay_failed_) return;
-  has_bay_failed_ = false;
+void SchedulerNode::plan_for_failed_supply(Instant now, Outbox& out) {
+  if (phase_ != MissionPhase::flying || !has_supply_failed_) return;
+  has_supply_failed_ = false;
   if (shut_.size() < stations_.size()) share_anew(now, out, true);
+}
+
+std::vector<Station> SchedulerNode::open_stations() const {
+  std::vector<Station> open;
+  std::copy_if(stations_.begin(), stations_.end(), std::back_inserter(open),
+               [this](const Station& s) { return !shut_.contains(s.id); });
+  return open;
 }
 
 /// The station itself, or the nearest that is open if it is shut; itself if none is.
@@ -147,8 +170,8 @@ void SchedulerNode::share_anew(Instant now, Outbox& out, bool whatever_it_takes)
     survivors.push_back(survivor(revised[i], now));
   }
   if (unbegun.empty()) return;
-  Takeover shared =
-      take_over(settings_.plan.route, joined(std::move(unbegun)), survivors, settings_.effort);
+  Takeover shared = take_over(settings_.plan.route, joined(std::move(unbegun)), survivors,
+                              settings_.effort, open_stations());
   for (std::size_t i = 0; i < who.size(); ++i) {
     const Addition& added = shared.additions[i];
     const double kept_s = done_s(revised[who[i]], now);

@@ -72,6 +72,7 @@ SchedulerNode::SchedulerNode(SchedulerSettings settings)
     m.pieces = pieces(m.sorties);
     members_.push_back(std::move(m));
   }
+  for (const Station& s : settings_.stations) add_new(stations_, s);
 }
 
 Outbox SchedulerNode::step(const Inbox& inbox, Instant now) {
@@ -79,6 +80,7 @@ Outbox SchedulerNode::step(const Inbox& inbox, Instant now) {
   if (phase_ != MissionPhase::finished) {
     for (const Envelope& envelope : inbox) hear(envelope, now, out);
     take_orders(now, out);
+    keep_time(now);
     close_windows(now, out);
     check_leases(now, out);
     gather(now, out);
@@ -86,7 +88,7 @@ Outbox SchedulerNode::step(const Inbox& inbox, Instant now) {
     wind_up(out);
     share_out(now, out);
     welcome(now, out);
-    plan_for_failed_bays(now, out);
+    plan_for_failed_supply(now, out);
     if (phase_ == MissionPhase::flying) {
       for (Member& m : members_) direct(m, now, out);
     }

@@ -31,6 +31,8 @@ struct SchedulerSettings {
   Effort effort{};                                 ///< Whenever work changes hands.
   /// That aircraft in the air keep from each other; none: whoever asks may fly.
   std::optional<Length> separation{};
+  /// Of the mission, whether the plan goes there or not; those of the plan need not be named.
+  std::vector<Station> stations{};
 };
 
 /// The scheduler of a mission as a node.
@@ -50,7 +52,8 @@ struct SchedulerSettings {
 /// An agent that joins late is not waited for. Once it is heard of, the sorties that nobody has
 /// begun are shared out anew over all, unless the others would be done as early without it.
 ///
-/// Where a bay or a station fails, what nobody has begun is planned anew for those that are left.
+/// Where a bay or a station fails or comes to the end of its stock, what nobody has begun is
+/// planned anew for those that are left, be they in the plan or not.
 ///
 /// An obstacle that an aircraft meets is told to all that still fly or will, by a new revision with
 /// the same work. Where it blocks a strip, the cells beside it are given up, and the rest of the
@@ -111,12 +114,19 @@ class SchedulerNode {
 
   // air_traffic.cpp
   void hear(const FlightClaim& claim, Instant now, Outbox& out);
-  std::vector<WorkSite> work_sites(Instant now) const;
+  std::vector<WorkSite> work_sites(const Member& claimant, const FlightClaim& claim,
+                                   Instant now) const;
   void add_sites(const Member& m, Instant now, std::vector<WorkSite>& sites) const;
-  void add_work(const Member& m, TimedPlace from, Instant now, std::vector<WorkSite>& sites) const;
+  void add_work_after(const Member& m, const TimedPlace& arrives, CellRange leads_to,
+                      std::vector<WorkSite>& sites) const;
+  void add_work(const Member& m, TimedPlace from, const std::vector<Piece>& pieces,
+                std::vector<WorkSite>& sites) const;
   void add_site(AgentId agent, TimedPlace& from, FieldPoint to, Speed speed,
                 std::vector<WorkSite>& sites) const;
-  std::vector<Piece> rest_of_sortie(const Member& m) const;
+  std::vector<Piece> work_ahead(const Member& m) const;
+  std::vector<Piece> work_from(const Member& m, std::uint32_t cell) const;
+  std::vector<Piece> up_to_way(const SortieOrder& sortie, std::size_t first) const;
+  std::optional<std::uint32_t> first_left(const Piece& piece) const;
   double work_altitude_m(FieldPoint at) const;
 
   // operator_orders.cpp
@@ -124,6 +134,7 @@ class SchedulerNode {
   std::string take(const OperatorOrder& order, Outbox& out);
   std::string refusal(const OperatorOrder& order) const;
   void set_level(FleetLevel level, std::string_view kind, std::string_view what, Outbox& out);
+  void keep_time(Instant now);
   void take_out(AgentId agent, std::string_view why, Outbox& out);
   void hand_over();
   void wind_up(Outbox& out);
@@ -145,7 +156,7 @@ class SchedulerNode {
   void share_out(Instant now, Outbox& out);
   void welcome(Instant now, Outbox& out);
   void share_anew(Instant now, Outbox& out, bool whatever_it_takes = false);
-  void plan_for_failed_bays(Instant now, Outbox& out);
+  void plan_for_failed_supply(Instant now, Outbox& out);
   std::vector<CellRange> take_back(Member& m, Instant now);
   void revise(Member& m);
   bool can_take_more(const Member& m, Instant now) const;
@@ -157,6 +168,7 @@ class SchedulerNode {
   Survivor survivor(const Member& m, Instant now) const;
   const Station& station(StationId id) const;
   const Station& haven(const Station& wanted) const;
+  std::vector<Station> open_stations() const;
   std::vector<CellRange> open_cells(const Member& m) const;
   void finish_if_done(Outbox& out);
   void report_state(Instant now, Outbox& out);
@@ -169,14 +181,15 @@ class SchedulerNode {
   SchedulerSettings settings_;
   Ledger ledger_;
   std::optional<Airspace> airspace_{};
-  std::vector<Member> members_;       ///< In order of agent id.
-  std::vector<Station> stations_{};   ///< Where sorties of the plan end, bays as they are left.
-  std::set<StationId> shut_{};        ///< Of these, without a bay.
-  bool has_bay_failed_ = false;       ///< And that is not planned for yet.
-  std::vector<CellRange> orphans_{};  ///< Open cells of lost agents, not yet shared out.
+  std::vector<Member> members_;            ///< In order of agent id.
+  std::vector<Station> stations_{};        ///< Where sorties can end, bays as they are left.
+  std::set<StationId> shut_{};             ///< Of these, without a bay or with an empty stock.
+  bool has_supply_failed_ = false;         ///< And that is not planned for yet.
+  std::vector<CellRange> orphans_{};       ///< Open cells of lost agents, not yet shared out.
   std::vector<KeptObstacle> obstacles_{};  ///< Met in flight, in the order heard of.
   std::vector<std::uint32_t> losses_;      ///< By strip: agents lost at work on it.
   FleetLevel level_ = FleetLevel::fly;
+  std::optional<Instant> held_since_{};  ///< Nobody works; forecasts count up to here.
   std::uint32_t level_revision_ = 0, reported_revision_ = 0;
   std::size_t orders_taken_ = 0;  ///< Of the settings' orders.
   std::uint64_t answered_order_ = 0, reported_order_ = 0;

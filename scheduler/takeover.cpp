@@ -46,25 +46,32 @@ std::vector<SortieOrder> renumbered(std::vector<SortieOrder> sorties,
 struct Desk {
   const Remnant& left;
   std::span<const Survivor> survivors;
-  std::vector<Station> stations;  ///< Of all survivors, each once.
+  std::vector<Station> stations;  ///< Of all survivors, and what else is open, each once.
   std::vector<std::size_t> at;    ///< By survivor: its station's place among them.
   RouteLengths lengths;           ///< To these stations.
   std::vector<bool> reaches;      ///< By survivor: not yet found unable.
 };
 
-Desk desk_for(const Remnant& left, std::span<const Survivor> survivors) {
+/// Its place among them, where it is added if it is new.
+std::size_t place_of(const Station& station, std::vector<Station>& stations) {
+  const auto known = std::find_if(stations.begin(), stations.end(),
+                                  [&](const Station& s) { return s.id == station.id; });
+  const auto place = static_cast<std::size_t>(known - stations.begin());
+  if (known == stations.end()) stations.push_back(station);
+  return place;
+}
+
+Desk desk_for(const Remnant& left, std::span<const Survivor> survivors,
+              std::span<const Station> others) {
   Desk desk{.left = left,
             .survivors = survivors,
             .stations = {},
             .at = {},
             .lengths = {},
             .reaches = std::vector(survivors.size(), true)};
-  for (const Survivor& s : survivors) {
-    const auto known = std::find_if(desk.stations.begin(), desk.stations.end(),
-                                    [&](const Station& other) { return other.id == s.station.id; });
-    desk.at.push_back(static_cast<std::size_t>(known - desk.stations.begin()));
-    if (known == desk.stations.end()) desk.stations.push_back(s.station);
-  }
+  desk.at.reserve(survivors.size());
+  for (const Survivor& s : survivors) desk.at.push_back(place_of(s.station, desk.stations));
+  for (const Station& s : others) place_of(s, desk.stations);
   desk.lengths = route_lengths(left.route, desk.stations);
   return desk;
 }
@@ -201,10 +208,11 @@ Takeover nobody_takes(std::span<const CellRange> orphans, std::span<const Surviv
 }  // namespace
 
 Takeover take_over(const planner::Route& route, std::span<const CellRange> orphans,
-                   std::span<const Survivor> survivors, const Effort& effort) {
+                   std::span<const Survivor> survivors, const Effort& effort,
+                   std::span<const Station> stations) {
   if (orphans.empty() || survivors.empty()) return nobody_takes(orphans, survivors);
   const Remnant left = remnant(route, orphans);
-  Desk desk = desk_for(left, survivors);
+  Desk desk = desk_for(left, survivors, stations);
   for (std::size_t able = survivors.size(); able > 0; --able) {
     auto all = all_planned(desk);
     if (!all) continue;

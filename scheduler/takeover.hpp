@@ -42,12 +42,15 @@ struct Effort {
 /// finish, as shares are, and flown with the better of the simple and the unplanned return points.
 /// A survivor that cannot reach its run is left out, and all is cut again for the others. With that
 /// the joint search begins (see joint_plan): for sorties from anywhere on what is left, to any of
-/// the survivors' stations, queues among them foreseen. Never later than what it begins with.
+/// the survivors' stations and of those besides, queues among them foreseen. Never later than what
+/// it begins with.
 ///
 /// Time O(survivors^2) cuts at worst, one where every survivor reaches all; and the search.
 ///
-/// @param orphans  Cells of `route`: rising, apart; may be empty.
+/// @param orphans   Cells of `route`: rising, apart; may be empty.
+/// @param stations  Where sorties may end besides the survivors' stations; known ones count once.
 Takeover take_over(const planner::Route& route, std::span<const CellRange> orphans,
-                   std::span<const Survivor> survivors, const Effort& effort = {});
+                   std::span<const Survivor> survivors, const Effort& effort = {},
+                   std::span<const Station> stations = {});
 
 }  // namespace furrow::scheduler

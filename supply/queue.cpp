@@ -226,6 +226,23 @@ Instant BayQueue::next_event() const {
   return next;
 }
 
+Instant BayQueue::next_free(Instant now) const {
+  std::vector<Instant> free;
+  for (std::uint32_t bay = 1; bay <= station_.bays; ++bay) {
+    if (!shut_.contains(bay)) free.push_back(now);
+  }
+  if (free.empty()) return never;
+  std::size_t taken = 0;
+  for (const Visit& v : visits_) {
+    if (v.bay != 0 && !shut_.contains(v.bay)) free[taken++] = std::max(now, v.ready);
+  }
+  for (const Visit& v : visits_) {
+    if (v.bay != 0 || lacks(v)) continue;
+    *std::min_element(free.begin(), free.end()) += duration(service_time(station_, v.swap, v.fill));
+  }
+  return *std::min_element(free.begin(), free.end());
+}
+
 std::vector<Visit> BayQueue::waiting() const {
   std::vector<Visit> found;
   std::copy_if(visits_.begin(), visits_.end(), std::back_inserter(found),

@@ -79,6 +79,10 @@ class BayQueue {
   /// Whether the station has nothing left of what a waiting visit wants, or no bay for it.
   bool lacks(const Visit& visit) const;
 
+  /// When one who comes now is expected to have a bay, if all who wait or are served take as long
+  /// as what they claim; `never` where all bays are shut. Time O(visits * bays).
+  Instant next_free(Instant now) const;
+
   /// Visits without a bay, in order of service.
   std::vector<Visit> waiting() const;
   /// Visits in a bay, by bay.

@@ -42,13 +42,14 @@ ServiceGrant SupplyNode::refusal(const Visit& visit, Instant now) const {
           .fill = 0.0};
 }
 
-StationState SupplyNode::state() const {
+StationState SupplyNode::state(Instant now) const {
   StationState state{.station = settings_.station.id,
                      .bays = {},
                      .queue = {},
                      .swaps = queue_.handed_out().swaps,
                      .filled = queue_.filled(),
-                     .open_bays = queue_.open_bays()};
+                     .open_bays = queue_.open_bays(),
+                     .next_free = queue_.next_free(now)};
   for (std::uint32_t bay = 1; bay <= settings_.station.bays; ++bay) {
     state.bays.push_back({.bay = bay, .occupied = false, .agent = {}, .token = 0, .ready = {}});
   }
@@ -62,7 +63,7 @@ StationState SupplyNode::state() const {
 /// Sends the state when it is due: at the next whole second after a change, else every 5 s.
 void SupplyNode::report(Outbox& out, Instant now) {
   if (now >= state_due_) {
-    out.messages.push_back(state());
+    out.messages.push_back(state(now));
     reported_ = queue_.changes();
     state_due_ = next_multiple(std::chrono::seconds{5}, now);
   }

@@ -34,7 +34,7 @@ class SupplyNode {
  private:
   ServiceGrant grant(const Visit& visit) const;
   ServiceGrant refusal(const Visit& visit, Instant now) const;
-  StationState state() const;
+  StationState state(Instant now) const;
   void report(Outbox& out, Instant now);
   void shut_bays(Outbox& out, Instant now);
 

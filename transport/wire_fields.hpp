@@ -232,6 +232,7 @@ void fields(D& d, Seen<D, StationState>& m, fleet::v1::StationState& w) {
   d(m.swaps, w.swaps());
   d(m.filled, w.filled_l());
   d(m.open_bays, w.open_bays());
+  d(m.next_free, w.next_free_ns());
 }
 
 template <class D>
@@ -332,6 +333,7 @@ void fields(D& d, Seen<D, FlightClaim>& m, fleet::v1::FlightClaim& w) {
   d(m.boot, w.header().boot_id());
   d(m.claim, w.claim_id());
   d.bounded(m.departure, w.departure(), Departure::from_ground, Departure::begun);
+  fields(d, m.leads_to, w.leads_to());
   d.sequence(m.track, w.track(), [](D& s, auto& place, fleet::v1::TimedPlace& p) {
     s(place.at, p.at_ns());
     fields(s, place.position, p.position());

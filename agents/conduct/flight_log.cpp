@@ -3,12 +3,23 @@
 #include "agents/guidance/deviation.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace furrow::agents {
 namespace {
 
-constexpr double bend_m = 0.03;
+constexpr double bend_m = 0.03, height_m = 0.1;
+
+// Whether a way straight and even from the first of `passed` to a height would leave out heights.
+bool cuts_top(const std::vector<TrackPoint>& passed, Instant at, double altitude_m) {
+  if (passed.size() < 2) return false;
+  const TrackPoint& from = passed.front();
+  return std::any_of(passed.begin() + 1, passed.end(), [&](const TrackPoint& p) {
+    const double share = seconds(p.at - from.at) / seconds(at - from.at);
+    return std::abs(std::lerp(from.altitude_m, altitude_m, share) - p.altitude_m) > height_m;
+  });
+}
 
 // Whether the straight line from the first of `passed` to `ahead_m` leaves out the way between.
 bool cuts_corner(const std::vector<TrackPoint>& passed, Xy ahead_m) {
@@ -42,7 +53,7 @@ void add(FlightRecord::Deviation& sum, double cross_m) {
 }  // namespace
 
 void FlightLog::point(Instant at, Xy truth_m, double altitude_m, bool is_spraying, Length width) {
-  keep_bend(truth_m);
+  keep_bend(at, truth_m, altitude_m);
   keep({.at = at,
         .position = field_point(truth_m),
         .spraying = is_spraying,
@@ -51,7 +62,7 @@ void FlightLog::point(Instant at, Xy truth_m, double altitude_m, bool is_sprayin
 }
 
 void FlightLog::pass(Instant at, Xy truth_m, double altitude_m, bool is_spraying, Length width) {
-  keep_bend(truth_m);
+  keep_bend(at, truth_m, altitude_m);
   passed_.push_back({.at = at,
                      .position = field_point(truth_m),
                      .spraying = is_spraying,
@@ -59,8 +70,9 @@ void FlightLog::pass(Instant at, Xy truth_m, double altitude_m, bool is_spraying
                      .width = width});
 }
 
-void FlightLog::keep_bend(Xy ahead_m) {
-  if (cuts_corner(passed_, ahead_m)) keep(TrackPoint{passed_.back()});
+void FlightLog::keep_bend(Instant at, Xy ahead_m, double altitude_m) {
+  const bool is_bend = cuts_corner(passed_, ahead_m) || cuts_top(passed_, at, altitude_m);
+  if (is_bend) keep(TrackPoint{passed_.back()});
 }
 
 void FlightLog::keep(const TrackPoint& point) {

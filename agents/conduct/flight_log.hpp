@@ -14,7 +14,7 @@ class FlightLog {
   /// @param width  As of the piece that is sprayed.
   void point(Instant at, Xy truth_m, double altitude_m, bool is_spraying, Length width = {});
   /// A place passed between points. It becomes a point itself where the line from the point before
-  /// it to a later place would leave out the way by more than 3 cm.
+  /// it to a later place would leave out the way by more than 3 cm, or its height by 10 cm.
   void pass(Instant at, Xy truth_m, double altitude_m, bool is_spraying, Length width = {});
   /// A control period on a strip with the valve open.
   void sample(const Piece& strip, const Aircraft& aircraft);
@@ -30,8 +30,8 @@ class FlightLog {
   FlightRecord take();
 
  private:
-  /// Keeps the last place passed where the straight line on to `ahead_m` would leave out the way.
-  void keep_bend(Xy ahead_m);
+  /// Keeps the last place passed where the straight line on would leave out the way.
+  void keep_bend(Instant at, Xy ahead_m, double altitude_m);
   void keep(const TrackPoint& point);
 
   FlightRecord record_{};

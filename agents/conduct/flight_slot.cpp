@@ -4,10 +4,10 @@
 
 namespace furrow::agents {
 
-const FlightClaim& FlightSlot::ask(AgentId agent, BootId boot, Departure departure,
-                                   std::vector<TimedPlace> track) {
+const FlightClaim& FlightSlot::ask(FlightClaim flight) {
   grant_.reset();
-  return claim_.emplace(FlightClaim{agent, boot, ++claims_, departure, std::move(track)});
+  flight.claim = ++claims_;
+  return claim_.emplace(std::move(flight));
 }
 
 bool FlightSlot::accept(const FlightGrant& grant, BootId boot) {

@@ -11,8 +11,8 @@ namespace furrow::agents {
 class FlightSlot {
  public:
   /// Claims a flight in place of the last one. @return What to tell the scheduler.
-  const FlightClaim& ask(AgentId agent, BootId boot, Departure departure,
-                         std::vector<TimedPlace> track);
+  /// @param flight  Its number is given here.
+  const FlightClaim& ask(FlightClaim flight);
 
   /// Takes an answer to the last claim. @return Whether it is one, and news.
   bool accept(const FlightGrant& grant, BootId boot);

@@ -250,6 +250,22 @@ Piece clear_part(Piece piece, const Surroundings& around, Length swath) {
   return piece;
 }
 
+double work_end_m(const SortieRoute& route, std::size_t piece) {
+  const PieceOnPath& p = route.pieces[piece];
+  return p.has_tail() ? p.close_m : route.cell_m(piece, p.piece.cells.count - 1);
+}
+
+void note_ways(SortieRoute& route) {
+  const std::size_t home = route.pieces.size();
+  for (std::size_t i = 0; i <= home; ++i) {
+    const bool is_way =
+        i == 0 || i == home || planner::are_apart(route.pieces[i - 1].piece, route.pieces[i].piece);
+    if (!is_way) continue;
+    route.ways.push_back({i, i == 0 ? 0.0 : work_end_m(route, i - 1),
+                          i == home ? route.path.length_m() : route.pieces[i].open_m});
+  }
+}
+
 // Takes note of the way around obstacles, if there is one.
 void bend(PieceOnPath& piece, const PieceLegs& legs, bool is_shorter) {
   if (!legs.first_bend_m && !is_shorter) return;
@@ -340,6 +356,7 @@ SortieRoute sortie_route(Xy from_m, std::span<const Piece> pieces, Xy to_m, cons
   route.path.finish();
   route.heights.move([&](double leg_m) { return route.path.along_m(leg_m); });
   settle(route);
+  note_ways(route);
   if (lay.blocked_leg_m()) route.blocked_m = route.path.along_m(*lay.blocked_leg_m());
   return route;
 }
@@ -347,23 +364,12 @@ SortieRoute sortie_route(Xy from_m, std::span<const Piece> pieces, Xy to_m, cons
 void lift_ferries(SortieRoute& route, Length layer, Length begins, const Vehicle& v,
                   const planner::HeightRule& rule) {
   const double up = rule.climb / v.ferry_speed, down = rule.descent / v.ferry_speed;
-  double from_m = 0.0, begins_m = begins.base();
-  const auto hop = [&](double to_m) {
-    route.heights.mark_hop(from_m, to_m, begins_m, layer.base(), up, down);
+  double begins_m = begins.base();
+  for (const Way& way : route.ways) {
+    const double from_m = way.to_piece == 0 ? 0.0 : route.pieces[way.to_piece - 1].close_m;
+    route.heights.mark_hop(from_m, way.ends_m, begins_m, layer.base(), up, down);
     begins_m = 0.0;
-  };
-  for (const PieceOnPath& piece : route.pieces) {
-    const bool is_visit = piece.piece.entry == piece.piece.exit;
-    const bool is_way =
-        from_m == 0.0 || (!is_visit && piece.open_m - from_m > planner::longest_low_way.base());
-    if (is_way) hop(piece.open_m);
-    from_m = piece.close_m;
   }
-  hop(route.path.length_m());
-}
-
-double first_way_m(const SortieRoute& route) {
-  return route.pieces.empty() ? route.path.length_m() : route.pieces.front().open_m;
 }
 
 double ferry_pack_m(FieldPoint from, FieldPoint to, const Vehicle& v,

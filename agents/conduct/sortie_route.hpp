@@ -47,11 +47,18 @@ struct PieceOnPath {
   bool has_tail() const { return !(piece.exit == piece.to); }
 };
 
+/// A way that is not work: from a station or from work to other work or to a station.
+struct Way {
+  std::size_t to_piece;     ///< That it leads to; the number of pieces: to the station.
+  double begins_m, ends_m;  ///< Along the path.
+};
+
 /// A sortie from where the aircraft is, over its pieces, to the station.
 struct SortieRoute {
   Path path;
   std::vector<PieceOnPath> pieces;
   double spray_m;           ///< Valve open.
+  std::vector<Way> ways{};  ///< In order; the last leads to the station.
   HeightProfile heights{};  ///< Over terrain, along the path.
   /// Where along the path an obstacle blocks it: nothing from there on may be flown. None: nowhere.
   std::optional<double> blocked_m{};
@@ -83,15 +90,11 @@ SortieRoute sortie_route(Xy from_m, std::span<const Piece> pieces, Xy to_m, cons
                          const planner::FerryMap& ferries, const Surroundings& around,
                          std::optional<Length> begins = {});
 
-/// Lifts the ferries of a route over level land to `layer`, and so the ways between its pieces that
-/// are longer than 20 m, but for a survey's. They climb out and come down on the way at ferry
-/// speed, so no flight takes longer.
+/// Lifts the ways of a route over level land to `layer`. They climb out and come down on the way at
+/// ferry speed, so no flight takes longer.
 /// @param begins  Height at which the route begins.
 void lift_ferries(SortieRoute& route, Length layer, Length begins, const Vehicle& vehicle,
                   const planner::HeightRule& rule);
-
-/// Where the first way of a route ends, at its first piece or at the station [m].
-double first_way_m(const SortieRoute& route);
 
 /// What a ferry takes of a pack, in metres of level flight at ferry speed; without braking.
 double ferry_pack_m(FieldPoint from, FieldPoint to, const Vehicle& vehicle,

@@ -87,7 +87,7 @@ class Hash {
     all(m.agent, m.station, m.claim, m.bay, m.token, m.starts, m.ready, m.expires, m.swap, m.fill);
   }
   void operator()(const StationState& m) {
-    all(m.station, m.bays, m.queue, m.swaps, m.filled, m.open_bays);
+    all(m.station, m.bays, m.queue, m.swaps, m.filled, m.open_bays, m.next_free);
   }
   void operator()(const SchedulerState& m) {
     all(m.epoch, m.phase, m.completed, m.sprayed_cells, m.open_cells, m.abandoned_cells, m.lost);
@@ -109,7 +109,7 @@ class Hash {
   }
   void operator()(const OperatorOrder& m) { all(m.number, m.ask, m.agent); }
   void operator()(const TimedPlace& p) { all(p.at, p.position, p.altitude_m); }
-  void operator()(const FlightClaim& m) { all(m.agent, m.claim, m.departure, m.track); }
+  void operator()(const FlightClaim& m) { all(m.agent, m.claim, m.departure, m.leads_to, m.track); }
   void operator()(const FlightGrant& m) { all(m.agent, m.claim, m.is_clear, m.departs); }
 
   void operator()(const Envelope& e) {

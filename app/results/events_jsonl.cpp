@@ -177,6 +177,10 @@ struct Details {
     line["agent"] = number(m.agent);
     line["claim"] = m.claim;
     line["departure"] = name(m.departure);
+    if (m.leads_to.count > 0) {
+      line["first_cell"] = m.leads_to.first;
+      line["cells"] = m.leads_to.count;
+    }
     if (m.track.empty()) return;
     double highest_m = 0.0;
     for (const TimedPlace& p : m.track) highest_m = std::max(highest_m, p.altitude_m);

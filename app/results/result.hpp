@@ -42,6 +42,8 @@ struct FootprintFigures {
 struct FleetFigures {
   double makespan_s;  ///< Mission time of the last sprayed cell.
   double planned_makespan_s;
+  /// The same where aircraft that leave one place take off one by one; none where they need not.
+  std::optional<double> planned_in_shared_air_s;
   double lower_bound_s;
   std::string bound;          ///< What holds the fleet up by that bound; empty if nothing is known.
   std::optional<double> gap;  ///< makespan / lower bound - 1, of completed missions with a bound.

@@ -95,6 +95,7 @@ Json json(const FootprintFigures& f) {
 Json json(const FleetFigures& f) {
   return {{"makespan_s", rounded(f.makespan_s)},
           {"planned_makespan_s", rounded(f.planned_makespan_s)},
+          {"planned_in_shared_air_s", rounded(f.planned_in_shared_air_s)},
           {"lower_bound_s", rounded(f.lower_bound_s)},
           {"bound", f.bound},
           {"gap", rounded(f.gap)},

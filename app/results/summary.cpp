@@ -9,6 +9,7 @@
 #include "app/results/sweep_coverage.hpp"
 #include "app/results/warnings.hpp"
 #include "app/results/ways.hpp"
+#include "scheduler/shared_air.hpp"
 #include "sim/checkers/separation.hpp"
 
 #include <algorithm>
@@ -258,6 +259,10 @@ FleetFigures fleet_figures(const MissionRecord& record, const Flown& flown, cons
   const bool is_flown = record.mode != Mode::plan;
   f.makespan_s = is_flown ? flown.last_spray_s : record.plan.makespan_s;
   f.planned_makespan_s = record.plan.makespan_s;
+  const Length separation = record.scenario.separation;
+  if (separation > Length{} && record.plan.uavs.size() > 1) {
+    f.planned_in_shared_air_s = scheduler::shared_air_makespan_s(record.plan, separation);
+  }
   f.lower_bound_s = record.plan.lower_bound_s;
   f.bound = record.plan.bound;
   if (result.completed) f.gap = gap_above(f.makespan_s, f.lower_bound_s);

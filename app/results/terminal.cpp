@@ -27,6 +27,11 @@ std::string bound(const FleetFigures& f) {
   return fmt::format("no plan below {:.2f} ({})", f.lower_bound_s / 60, f.bound);
 }
 
+std::string in_shared_air(const FleetFigures& f) {
+  if (!f.planned_in_shared_air_s) return {};
+  return fmt::format(" ({:.2f} taking off one by one)", *f.planned_in_shared_air_s / 60);
+}
+
 std::string minutes_or_none(std::optional<double> s) {
   return s ? fmt::format("{:.2f}", *s / 60) : "out of reach";
 }
@@ -104,10 +109,10 @@ std::string summary_table(const Result& r) {
                          r.datum->lat_deg, r.datum->lon_deg);
   }
   table += fmt::format(
-      "last {} {:.2f} min, planned {:.2f}, {}; returns by {}: "
+      "last {} {:.2f} min, planned {:.2f}{}, {}; returns by {}: "
       "{}\n",
       r.survey ? "visit" : "cell", r.fleet.makespan_s / 60, r.fleet.planned_makespan_s / 60,
-      bound(r.fleet), r.solver.returns, distance_to_bound(r.solver));
+      in_shared_air(r.fleet), bound(r.fleet), r.solver.returns, distance_to_bound(r.solver));
   if (r.solver.yardsticks) table += yardstick_row(*r.solver.yardsticks);
   table += separation_row(r.separation);
   for (const ExpectationFigures& e : r.expectations) {

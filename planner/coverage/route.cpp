@@ -104,6 +104,14 @@ bool is_high(std::span<const FieldPoint> way) {
   return sum > longest_low_way;
 }
 
+bool are_apart(const Piece& before, const Piece& after) {
+  if (after.entry == after.exit) return false;
+  std::vector<FieldPoint> way{before.exit};
+  way.insert(way.end(), after.approach.begin(), after.approach.end());
+  way.push_back(after.entry);
+  return is_high(way);
+}
+
 Length approach_length(const Strip& before, const Strip& strip) {
   FieldPoint at = before.end;
   Length sum{};

@@ -77,6 +77,57 @@ TEST_CASE("traffic: it hovers at the end of its work until the way home is clear
   CHECK(longer_s < 34.0);
 }
 
+/// Two strips of 100 m in one sortie, 60 m apart.
+ScriptedScheduler two_far_strips() {
+  std::vector<Piece> pieces = strips(2, 50);
+  for (FieldPoint* p : {&pieces[1].entry, &pieces[1].from, &pieces[1].to, &pieces[1].exit}) {
+    p->x = metres(63);
+  }
+  pieces[1].entry = pieces[1].from;
+  return {.sorties = {{.pieces = pieces, .station = StationId{1}}}};
+}
+
+TEST_CASE("traffic: the way to far work of the same sortie is claimed as those from stations are",
+          "[agents]") {
+  ScriptedScheduler scheduler = two_far_strips();
+  SECTION("and flown without a stop where it is clear") {
+    const auto log = fly(in_company(), two_far_strips(), an_hour);
+    CHECK(each_once(log, 100));
+    std::vector<CellRange> asked;
+    for (const FlightClaim& c : all<FlightClaim>(log)) {
+      if (asked.empty() || !(asked.back() == c.leads_to)) asked.push_back(c.leads_to);
+    }
+    CHECK(asked == std::vector<CellRange>{{0, 50}, {50, 50}, {0, 0}});
+    CHECK(flight_s(log) ==
+          Approx(flight_s(fly(settings_of(sprayer()), two_far_strips(), an_hour))).margin(0.15));
+  }
+  SECTION("and waited for where it is not") {
+    scheduler.clears = [](const FlightClaim& c) -> std::optional<FlightGrant> {
+      if (c.departure == Departure::in_motion && c.leads_to.count > 0) return refused(c);
+      return clear(c, c.departure == Departure::from_hover ? 30 * second : Duration{});
+    };
+    const auto log = fly(in_company(), scheduler, an_hour);
+    CHECK(each_once(log, 100));
+    // 30 s, and at most 4 s for coming to rest, asking and starting again.
+    const double longer_s = flight_s(log) - flight_s(fly(in_company(), two_far_strips(), an_hour));
+    CHECK(longer_s > 30.0);
+    CHECK(longer_s < 34.0);
+  }
+  SECTION("and given up for the way home where the pack does not last") {
+    Vehicle v = sprayer();
+    v.flight_endurance = seconds(200);
+    scheduler.clears = [](const FlightClaim& c) -> std::optional<FlightGrant> {
+      const bool is_hop = c.departure != Departure::from_ground && c.leads_to.count > 0;
+      return is_hop ? std::nullopt : std::optional{clear(c, Duration{})};
+    };
+    const auto log = fly(in_company(v), scheduler, an_hour);
+    CHECK(contains(event_kinds(log), "return_early"));
+    CHECK_FALSE(contains(event_kinds(log), "flies_unasked"));
+    CHECK(each_once(log, 100));
+    CHECK(all<SortieReport>(log).size() == 2);
+  }
+}
+
 TEST_CASE("traffic: it flies home unasked when its pack lasts no longer", "[agents]") {
   Vehicle v = sprayer();
   v.flight_endurance = seconds(140);

@@ -102,6 +102,17 @@ TEST_CASE("airspace: low ways wait until those at work have passed, high ones do
   CHECK(departs_s(air.answer(along(9), {site}, at(0))) < 9.5);  // its own work
 }
 
+TEST_CASE("airspace: who comes to work waits until low ways across it are flown", "[scheduler]") {
+  // The first passes (30, 0) at 6 s. The second comes to (30, 30) at 3 s and from there may be
+  // there from 4 s on for good: it comes no sooner than the first has gone.
+  Airspace air{metres(1)};
+  air.answer(along(1), {}, at(0));
+  FlightClaim claim = flight(2, at_m(30, 90), at_m(30, 30), -7);
+  const WorkSite after{AgentId{2}, at_m(30, 5), at_m(30, -5), 0.0, at(4), never};
+  CHECK(departs_s(air.answer(claim, {after}, at(-8))) > -5);
+  CHECK(departs_s(air.answer(flight(3, at_m(30, 90), at_m(30, 30), -7), {}, at(-8))) == -7.0);
+}
+
 TEST_CASE("airspace: a flight that is never clear is not answered", "[scheduler]") {
   Airspace air{metres(1)};
   const WorkSite site{AgentId{9}, at_m(30, -5), at_m(30, 5), 0.0, at(0), never};

@@ -91,6 +91,29 @@ TEST_CASE("takeover: queues at the bay are foreseen, the same each time", "[sche
   CHECK(latest_s < 50 + 40 + 8 * 60);
 }
 
+TEST_CASE("takeover: free bays where no survivor goes so far are used", "[scheduler]") {
+  // As above: one bay holds three aircraft up, which three more beside it do not.
+  std::vector<Survivor> three{survivor(1, 50), survivor(2, 50), survivor(3, 50)};
+  for (Survivor& s : three) s.vehicle.spray_endurance = seconds(100.0 / 3);
+  const planner::Route route = comb(8, 50);
+  const std::vector<CellRange> orphans{{0, 400}};
+  const std::vector<Station> free{station(2, 3)};
+  const auto last_s = [](const Takeover& shared) {
+    double latest_s = 0.0;
+    for (const Addition& a : shared.additions) latest_s = std::max(latest_s, a.lands_s);
+    return latest_s;
+  };
+  const Takeover with = take_over(route, orphans, three, {}, free);
+  CHECK(last_s(with) < last_s(take_over(route, orphans, three)) - 60);
+  std::size_t elsewhere = 0, cells = 0;
+  for (const Addition& a : with.additions) {
+    cells += cells_of(a).size();
+    for (const SortieOrder& sortie : a.sorties) elsewhere += sortie.station == StationId{2};
+  }
+  CHECK(cells == 400);
+  CHECK(elsewhere > 0);
+}
+
 TEST_CASE("takeover: who cannot reach is left out, and what nobody reaches is told",
           "[scheduler]") {
   const planner::Route route = comb(10, 50);

@@ -59,6 +59,20 @@ TEST_CASE("queue: serves by first claim, then by agent id, whatever order the cl
   CHECK(second[0].token == 2);
 }
 
+TEST_CASE("queue: says when one who comes now is expected to have a bay", "[supply]") {
+  BayQueue queue{station(2), terms};
+  CHECK(queue.next_free(at_s(1)) == at_s(1));
+  for (const std::uint32_t agent : {1u, 2u, 3u}) queue.hear(claim(agent, 1), at_s(1));
+  queue.advance(at_s(1));
+  // Half a tank takes 40 s: both bays are free at 41 s, the first then serves the third to 81 s.
+  CHECK(queue.next_free(at_s(1)) == at_s(41));
+  queue.shut(2);
+  CHECK(queue.next_free(at_s(1)) == at_s(81));
+  CHECK(queue.next_free(at_s(50)) == at_s(90));
+  queue.shut(1);
+  CHECK(queue.next_free(at_s(50)) == never);
+}
+
 TEST_CASE("queue: a claim that waits unrenewed is dropped when its lease ends", "[supply]") {
   BayQueue queue{station(1), terms};
   queue.hear(claim(1, 0), at_s(0));

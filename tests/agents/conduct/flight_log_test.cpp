@@ -1,5 +1,6 @@
 #include "agents/conduct/flight_log.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -16,6 +17,18 @@ TEST_CASE("flight log: a straight way keeps only the points asked for", "[agents
   for (int i = 1; i < 10; ++i) log.pass(tenths(i), {0.8 * i, 0.02 * (i % 2)}, 2, false);
   log.point(tenths(10), {8, 0}, 2, false);
   CHECK(log.take().track.size() == 2);
+}
+
+TEST_CASE("flight log: the top of a climb between points is kept", "[agents]") {
+  // Up at 3 m/s to 1.5 m after half a second and down again; a line would stay at 0 m.
+  FlightLog log{agent_3};
+  log.point(tenths(0), {0, 0}, 0, false);
+  for (int i = 1; i < 10; ++i) log.pass(tenths(i), {0.8 * i, 0}, 0.3 * std::min(i, 10 - i), false);
+  log.point(tenths(10), {8, 0}, 0, false);
+  const auto track = log.take().track;
+  REQUIRE(track.size() == 3);
+  CHECK(track[1].at == tenths(5));
+  CHECK(track[1].altitude_m == Approx(1.5));
 }
 
 TEST_CASE("flight log: a bend between points is followed within 3 cm", "[agents]") {
