@@ -94,8 +94,7 @@ class Refuted {
   double operator()(std::span<const double> prices, std::span<double> slope) {
     for (std::size_t j = 0; j < flights_.size(); ++j)
       flights_[j] = std::max(0.0, by_flight_.value(prices.first(knots), j));
-    const double tank = std::max(0.0, prices.back());
-    const double split = split_.least(flights_, split_counts_) + tank * sizes_.tanks;
+    const double split = split_.least(flights_, split_counts_) + prices.back() * sizes_.tanks;
     if (!(split > 0.0)) return 0.0;
     double earned = earn(prices);
     if (earned < split * (1.0 - 1e-9)) prices_.assign(prices.begin(), prices.end());
@@ -113,8 +112,8 @@ class Refuted {
     bays_.resize(time_.slots);
     double bay = 0.0;
     for (std::size_t i = 0; i < time_.slots; ++i) {
-      bays_[i] = std::max(0.0, by_time.value(of_bays(prices), i));
-      bay += bays_[i];
+      bays_[i] = by_time.value(of_bays(prices), i);
+      bay += std::max(0.0, bays_[i]);
     }
     const double aircraft = aircraft_.most(time_, {.flights = flights_,
                                                    .sprayed = split_.sprayed(),
@@ -136,13 +135,12 @@ class Refuted {
       by_flight_.add(slope.first(knots), j, more / split);
     }
     for (std::size_t i = 0; i < time_.slots; ++i) {
-      if (by_time.value(of_bays(prices), i) < 0.0) continue;
-      const double more = sizes_.aircraft * by.bays[i] - sizes_.bays;
+      const double more = sizes_.aircraft * by.bays[i] - (bays_[i] > 0.0 ? sizes_.bays : 0.0);
       by_time.add(slope.subspan(knots, knots), i, more / split);
     }
-    if (time_.whole_fill > 0.0 && prices.back() >= 0.0) {
-      slope.back() = (ratio * sizes_.tanks - sizes_.aircraft * by.tanks) / split;
-    }
+    if (time_.whole_fill <= 0.0) return;
+    const double tanks = prices.back() < 0.0 ? 0.0 : by.tanks;
+    slope.back() = (ratio * sizes_.tanks - sizes_.aircraft * tanks) / split;
   }
 
   Sizes sizes_;

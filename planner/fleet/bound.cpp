@@ -142,11 +142,20 @@ LowerBound spraying_bound(const FleetProblem& problem, double cell_m,
 }  // namespace
 
 LowerBound best_bound(const FleetProblem& problem, const BayBoundSettings& bays) {
-  constexpr double finest_m = 0.25, most_cells = 200'000;
+  constexpr double finest_m = 0.25, most_cells = 200'000, busy = 0.8;
   const double cell_m = std::max(finest_m, problem.path.length_m() / most_cells);
-  const LowerBound flown = problem.ends_sprayed ? spraying_bound(problem, cell_m, bays)
-                                                : landing_bound(problem, cell_m, bays);
-  return std::max(flown, filling_bound(problem), is_weaker);
+  const auto flown = [&](const BayBoundSettings& settings) {
+    return problem.ends_sprayed ? spraying_bound(problem, cell_m, settings)
+                                : landing_bound(problem, cell_m, settings);
+  };
+  const BayBoundSettings thorough;
+  const LowerBound filling = filling_bound(problem);
+  LowerBound best = std::max(flown(bays), filling, is_weaker);
+  const bool is_busy = filling.makespan_s > busy * best.makespan_s;
+  if (is_busy && bays.fine_slots < thorough.fine_slots) {
+    best = std::max(best, flown(thorough), is_weaker);
+  }
+  return best;
 }
 
 }  // namespace furrow::planner::fleet

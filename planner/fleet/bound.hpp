@@ -28,6 +28,9 @@ LowerBound bay_count_bound(const FleetProblem& problem);
 /// Where makespans end with the last spraying, ways home are capped at some length h: no plan
 /// thus relaxed lands later than h at the slowest ferry speed after it has sprayed. The h of the
 /// best bound by work is taken.
+///
+/// @param bays  Prices of bays are searched for no less than by default where they are busy for
+///              four fifths of the bound.
 LowerBound best_bound(const FleetProblem& problem, const BayBoundSettings& bays = {});
 
 }  // namespace furrow::planner::fleet

@@ -71,7 +71,7 @@ Earned PricedAircraft::earned() const {
   for (std::size_t at = first_.next; at != none; at = from_[at].next) {
     const Choice& choice = from_[at];
     fly(choice);
-    if (choice.level == 0 && choice.next == none) break;
+    if (choice.most <= 0.0) break;
     const std::size_t ready = at + time_.service + choice.filled;
     for (std::size_t slot = at; slot < ready; ++slot) all.bays[slot] += 1.0;
   }

@@ -20,7 +20,7 @@ struct Prices {
                                     ///< all longer.
   std::span<const double> sprayed;  ///< By the same: tanks that it can spray at most, rising.
   double tank;                      ///< Of spraying a tank, >= 0.
-  std::span<const double> bays;     ///< Of a bay, by the slot, >= 0.
+  std::span<const double> bays;     ///< Of a bay, by the slot, of any sign.
 };
 
 /// What the most is earned by.

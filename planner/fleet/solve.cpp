@@ -20,13 +20,14 @@ struct Judged {
   Finish finish;
 };
 
-/// What the makespan may grow by at first, as a share. Of n sorties there are about n squared
-/// changes, and each flies n: where the budget does not make all of them many times, the plan would
-/// not settle again, so it is not unsettled.
+/// What the makespan may grow by at first, as a share. Where the budget is too small for a plan of
+/// so many sorties to settle again, it is not unsettled; plans of more than a few sorties are far
+/// slower to settle than their number says.
 double heat(std::size_t sorties, std::uint64_t budget) {
-  constexpr double most = 0.01, times = 900.0;
+  constexpr double most = 0.01, changes_each = 200.0, few = 16.0;
   const double n = static_cast<double>(sorties);
-  return most * std::min(1.0, static_cast<double>(budget) / (times * n * n * n));
+  const double slower = std::pow(std::max(1.0, n / few), 4.0);
+  return most * std::min(1.0, static_cast<double>(budget) / (changes_each * n * n * slower));
 }
 
 /// Anneals from one plan after another, and remembers the best of all.

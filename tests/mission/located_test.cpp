@@ -60,7 +60,7 @@ TEST_CASE("located: a station in a hole is a fault of its line, with the place",
 TEST_CASE("located: a pack too small for the field is a fault of the station it flies from",
           "[mission]") {
   const std::string message = no_plan({{15, "    flight_endurance_s: 12"}});
-  CHECK_THAT(message, Catch::StartsWith("a.yaml:10: supply[0].position_m: must reach all"));
+  CHECK_THAT(message, Catch::StartsWith("a.yaml:10: supply[0].position_m: must reach the field"));
 }
 
 TEST_CASE("located: too many rows are a fault of the swath", "[mission]") {

@@ -194,6 +194,7 @@ TEST_CASE("fleet bound: corners that are cut with the valve open are given away"
   const std::vector<Station> one{station(1)};
   auto fleet = small_fleet(1);
   fleet[0].spray_speed = fleet[0].ferry_speed = metres_per_second(1);
+  fleet[0].spray_endurance = seconds(100);
   const MakespanBound bound = fleet_bound(route, fleet, one);
   CHECK(bound.makespan_s <= 74.0 + std::numbers::pi);
   CHECK(bound.makespan_s > 76.5);

@@ -29,15 +29,11 @@ MissionRecord met_tree() {
 
 Flown flown_around() {
   Flown flown;
-  FlownUav& uav = flown.uavs.emplace_back();
-  const auto fly = [&](double x_m, double from_m, double to_m) {
-    uav.track.push_back({Instant{}, at_m(x_m, from_m), true});
-    uav.track.push_back({Instant{}, at_m(x_m, to_m), false});
-  };
-  fly(1, 0, 8);
-  fly(3, 0, 3);
-  fly(3, 5, 8);
-  fly(5, 0, 8);
+  flown.uavs.emplace_back();
+  flown.uavs[0].track = {{Instant{}, at_m(1, 0), true}, {Instant{}, at_m(1, 8), false},
+                         {Instant{}, at_m(3, 0), true}, {Instant{}, at_m(3, 3), false},
+                         {Instant{}, at_m(3, 5), true}, {Instant{}, at_m(3, 8), false},
+                         {Instant{}, at_m(5, 0), true}, {Instant{}, at_m(5, 8), false}};
   return flown;
 }
 

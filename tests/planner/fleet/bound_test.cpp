@@ -1,4 +1,5 @@
 #include "planner/fleet/bound.hpp"
+#include "planner/fleet/bay_bound.hpp"
 #include "planner/fleet/kinds_bound.hpp"
 #include "planner/fleet/work_bound.hpp"
 #include "tests/planner/fleet/enumerated.hpp"
@@ -98,6 +99,7 @@ TEST_CASE("work is bounded by what each kind of aircraft can do") {
     small.depots.front().fill_s = 10.0 * static_cast<double>(seed % 3);
     const double best_s = enumerated::best_makespan_s(small, enumerated::cuts_apart_m(small, 5));
     CHECK(kinds_bound_s(small, 0.1) <= best_s + 1e-9);
+    CHECK(bay_bound_s(small, 0.3 * best_s, {60, 150, 240, 50}) <= best_s + 1e-9);
   }
 }
 
