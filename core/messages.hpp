@@ -177,7 +177,7 @@ struct StationState {
   std::uint32_t swaps;         ///< Charged packs handed out so far.
   Volume filled;               ///< Mix handed out so far.
   std::uint32_t open_bays;     ///< Those that are not shut for good.
-  /// When one who comes now is expected to have a bay, behind all who wait; `never` without bays.
+  /// When one who comes now is expected to have a bay, behind all who wait; 0 without open bays.
   Instant next_free{};
 };
 

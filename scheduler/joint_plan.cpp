@@ -179,16 +179,22 @@ std::uint32_t stop_of(const planner::Route& route, const fleet::FleetProblem& mo
   return stop;
 }
 
-constexpr std::size_t runs = 3;
+constexpr std::size_t runs = 5, hot_runs = 3;  // the others are cool
 constexpr int attempts = 2;
 
-/// Sorties that a search may fly: more where a plan has very many of them.
-std::uint64_t budget_of(const planner::SolveSettings& settings, const fleet::FleetProblem& model) {
-  constexpr double sorties_per_s = 600'000, many = 200.0;
+/// Sorties that a search may fly.
+std::uint64_t budget_of(const planner::SolveSettings& settings, double sorties_per_s = 200'000) {
+  return static_cast<std::uint64_t>(settings.budget_s * sorties_per_s) + 1;
+}
+
+/// The same for cool searches: more where a plan has very many sorties.
+std::uint64_t cool_budget_of(const planner::SolveSettings& settings,
+                             const fleet::FleetProblem& model) {
+  constexpr double sorties_per_s = 400'000, many = 200.0;
   double tank_m = 0.0;
   for (const fleet::Flier& f : model.fliers) tank_m = std::max(tank_m, f.tank_m);
   const double more = std::max(1.0, model.path.length_m() / (many * tank_m));
-  return static_cast<std::uint64_t>(settings.budget_s * sorties_per_s * more) + 1;
+  return budget_of(settings, sorties_per_s * more);
 }
 
 std::optional<fleet::FleetSorties> by_gravity(const fleet::FleetProblem& model,
@@ -196,7 +202,7 @@ std::optional<fleet::FleetSorties> by_gravity(const fleet::FleetProblem& model,
                                               std::uint64_t& evaluations) {
   const auto start = fleet::till_empty(model);
   if (!start) return std::nullopt;
-  const std::uint64_t most = budget_of(settings, model) / (settings.masses * start->size()) + 1;
+  const std::uint64_t most = budget_of(settings) / (settings.masses * start->size()) + 1;
   const auto iterations =
       static_cast<std::uint32_t>(std::min<std::uint64_t>(settings.iterations, most));
   evaluations += std::uint64_t{settings.masses} * iterations;
@@ -207,9 +213,13 @@ std::optional<fleet::FleetSorties> by_gravity(const fleet::FleetProblem& model,
 std::optional<fleet::FleetSolution> annealed(const fleet::FleetProblem& model,
                                              const planner::SolveSettings& settings,
                                              const fleet::FleetSorties& start, std::size_t run) {
-  fleet::FleetSolveSettings search{.budget = budget_of(settings, model) / runs,
-                                   .seed = seed_for(settings.seed, {run}),
-                                   .runs = 1};
+  const bool is_cool = run >= hot_runs;
+  fleet::FleetSolveSettings search{
+      .budget = is_cool ? cool_budget_of(settings, model) / (runs - hot_runs)
+                        : budget_of(settings) / hot_runs,
+      .seed = seed_for(settings.seed, {run}),
+      .runs = 1,
+      .is_cool = is_cool};
   if (!start.empty()) search.starts.push_back(start);
   return fleet::solved(model, search);
 }

@@ -231,7 +231,7 @@ Instant BayQueue::next_free(Instant now) const {
   for (std::uint32_t bay = 1; bay <= station_.bays; ++bay) {
     if (!shut_.contains(bay)) free.push_back(now);
   }
-  if (free.empty()) return never;
+  if (free.empty()) return Instant{};
   std::size_t taken = 0;
   for (const Visit& v : visits_) {
     if (v.bay != 0 && !shut_.contains(v.bay)) free[taken++] = std::max(now, v.ready);

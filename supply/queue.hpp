@@ -80,7 +80,7 @@ class BayQueue {
   bool lacks(const Visit& visit) const;
 
   /// When one who comes now is expected to have a bay, if all who wait or are served take as long
-  /// as what they claim; `never` where all bays are shut. Time O(visits * bays).
+  /// as what they claim; 0 where all bays are shut. Time O(visits * bays).
   Instant next_free(Instant now) const;
 
   /// Visits without a bay, in order of service.

@@ -29,23 +29,42 @@ std::optional<CurveM> joined(const OnboardLine& line, PointM foot, RowFrame fram
   return std::nullopt;
 }
 
-// Both neighbours of a pass as they would be planned.
-std::vector<PassM> with_neighbours(const PassM& pass) {
+// How far the ways around reach beside the pass.
+double reach_m(const Crowd& crowd, const PassM& pass) {
   const RowFrame frame = RowFrame::along(pass.b - pass.a);
-  const PointM aside = frame.from({0, pass.width_m});
-  return {pass,
-          {pass.a + aside, pass.b + aside, pass.width_m},
-          {pass.a - aside, pass.b - aside, pass.width_m}};
+  double most_m = 0;
+  for (const CrowdOption& option : crowd.options) {
+    if (option.conduct == Conduct::apart) continue;
+    for (const PointM p : tangent_path(option.curve, corner_rad)) {
+      most_m = std::max(most_m, std::abs(frame.to(p - pass.a).y));
+    }
+  }
+  return most_m;
+}
+
+// The pass and its neighbours as they would be planned, as far as a way around may spray.
+std::vector<PassM> with_neighbours(const PassM& pass, double reach_m) {
+  constexpr double most = 20;  // on each side
+  const double count = std::min(most, std::floor(reach_m / pass.width_m + 1));
+  const RowFrame frame = RowFrame::along(pass.b - pass.a);
+  std::vector<PassM> all{pass};
+  for (double i = 1; i <= count; ++i) {
+    const PointM aside = frame.from({0, i * pass.width_m});
+    all.push_back({pass.a + aside, pass.b + aside, pass.width_m});
+    all.push_back({pass.a - aside, pass.b - aside, pass.width_m});
+  }
+  return all;
 }
 
 const CrowdOption* best_option(const Crowd& crowd, const PassM& pass, const Room& room,
                                DetourWeights weights) {
-  const std::vector<PassM> passes = with_neighbours(pass);
+  const std::vector<PassM> passes = with_neighbours(pass, reach_m(crowd, pass));
   const CrowdOption* best = nullptr;
   double least = INFINITY;
   for (const CrowdOption& option : crowd.options) {
     if (option.conduct == Conduct::apart) continue;
     const double length = option.extra_m / pass.length_m();
+    if (weights.length * length >= least) continue;
     const double area = wrong_alone_m2(passes, option, room) / (pass.length_m() * pass.width_m);
     const double cost = weights.length * length + weights.area * area;
     if (cost < least) {

@@ -50,7 +50,8 @@ inline constexpr Length longest_low_way = metres(20);
 /// @param way  From where it starts to where it ends.
 bool is_high(std::span<const FieldPoint> way);
 
-/// Whether the way from one piece to the next of a sortie is. Never between places to visit.
+/// Whether the way from one piece to the next of a sortie leads beyond the neighbouring strip: it
+/// is longer than 10 m. Never between places to visit.
 bool are_apart(const Piece& before, const Piece& after);
 
 /// Whether the strip is sprayed beyond the centres of its end cells.

@@ -23,18 +23,18 @@ struct Judged {
 /// What the makespan may grow by at first, as a share. Where the budget is too small for a plan of
 /// so many sorties to settle again, it is not unsettled; plans of more than a few sorties are far
 /// slower to settle than their number says.
-double heat(std::size_t sorties, std::uint64_t budget) {
+double heat(std::size_t sorties, const FleetSolveSettings& settings, std::uint64_t budget) {
   constexpr double most = 0.01, changes_each = 200.0, few = 16.0;
   const double n = static_cast<double>(sorties);
-  const double slower = std::pow(std::max(1.0, n / few), 4.0);
+  const double slower = settings.is_cool ? std::pow(std::max(1.0, n / few), 4.0) : 1.0;
   return most * std::min(1.0, static_cast<double>(budget) / (changes_each * n * n * slower));
 }
 
 /// Anneals from one plan after another, and remembers the best of all.
 class Annealer {
  public:
-  Annealer(const FleetProblem& problem, std::uint64_t seed)
-      : problem_{problem}, clock_{problem}, random_{seed} {}
+  Annealer(const FleetProblem& problem, const FleetSolveSettings& settings)
+      : problem_{problem}, settings_{settings}, clock_{problem}, random_{settings.seed} {}
 
   Judged judged(FleetSorties sorties) {
     const Finish finish = flown(sorties);
@@ -49,7 +49,7 @@ class Annealer {
     double now_s = energy_s(start.finish);
     const double cold_s = 1e-4 * start.finish.makespan_s;
     const double hot_s =
-        std::max(cold_s, heat(start.sorties.size(), budget) * start.finish.makespan_s);
+        std::max(cold_s, heat(start.sorties.size(), settings_, budget) * start.finish.makespan_s);
     for (std::uint64_t spent = 0; spent < budget; ++spent) {
       CutPlan next = now;
       if (!next.change(random_)) continue;
@@ -81,6 +81,7 @@ class Annealer {
   }
 
   const FleetProblem& problem_;
+  const FleetSolveSettings& settings_;
   QueueClock clock_;
   Random random_;
   std::uint64_t evaluations_ = 0;
@@ -118,6 +119,7 @@ std::optional<FleetSorties> solved_by_station(const FleetProblem& problem,
     auto solution = solved(part.problem, {.budget = settings.budget / parts.size(),
                                           .seed = settings.seed,
                                           .runs = settings.runs,
+                                          .is_cool = settings.is_cool,
                                           .starts = {}});
     if (!solution) return std::nullopt;
     evaluations += solution->evaluations;
@@ -131,7 +133,7 @@ std::optional<FleetSorties> solved_by_station(const FleetProblem& problem,
 
 std::optional<FleetSolution> solved(const FleetProblem& problem,
                                     const FleetSolveSettings& settings) {
-  Annealer annealer{problem, settings.seed};
+  Annealer annealer{problem, settings};
   std::vector<Judged> starts;
   FleetSolution solution{{}, {}, infinite, infinite, 0};
   const auto add = [&](std::optional<FleetSorties> sorties) {
@@ -148,9 +150,10 @@ std::optional<FleetSolution> solved(const FleetProblem& problem,
   std::uint64_t budget = settings.budget;
   if (problem.depots.size() > 1) {
     budget /= 2;
-    add(solved_by_station(
-        problem, {.budget = budget, .seed = settings.seed, .runs = settings.runs, .starts = {}},
-        solution.evaluations));
+    FleetSolveSettings apart = settings;
+    apart.budget = budget;
+    apart.starts.clear();
+    add(solved_by_station(problem, apart, solution.evaluations));
   }
   if (starts.empty()) return std::nullopt;
 

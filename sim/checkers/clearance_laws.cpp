@@ -57,24 +57,21 @@ class ClearanceLaws final : public Checker {
     Length kept;
     Acceleration brakes;
     std::optional<TrackPoint> last{};
-    std::set<std::string> excused{};  // obstacles that came up too near, until it is clear of them
+    /// Obstacles that came up too near, until when at least; then until it is clear of them.
+    std::map<std::string, Instant> excused{};
   };
 
   void judge(AgentId agent, Aircraft& aircraft, const Standing& obstacle, const TrackPoint& point) {
     if (point.at < obstacle.since) return;
     const Obstacle& o = obstacle.what;
-    if (comes_up(aircraft, obstacle) &&
-        distance_to(o, point) < aircraft.kept + stopping(aircraft, point)) {
-      aircraft.excused.insert(o.id);
-    }
-    if (distance(o.center, point.position) >= o.radius + aircraft.kept) {
-      aircraft.excused.erase(o.id);
-      return;
-    }
-    const Length away = distance_to(o, point);
-    if (away >= aircraft.kept) aircraft.excused.erase(o.id);
-    if (away < aircraft.kept && !aircraft.excused.contains(o.id)) {
-      tell(agent, o, away, aircraft.kept, point.at);
+    if (comes_up(aircraft, obstacle)) excuse(aircraft, o, point);
+    const bool is_far = distance(o.center, point.position) >= o.radius + aircraft.kept;
+    const auto excuse = aircraft.excused.find(o.id);
+    const bool is_excused = excuse != aircraft.excused.end();
+    if (is_far || distance_to(o, point) >= aircraft.kept) {
+      if (is_excused && point.at > excuse->second) aircraft.excused.erase(excuse);
+    } else if (!is_excused) {
+      tell(agent, o, distance_to(o, point), aircraft.kept, point.at);
     }
   }
 
@@ -87,13 +84,16 @@ class ClearanceLaws final : public Checker {
     return aircraft.last && aircraft.last->at < obstacle.since;
   }
 
-  // In which it sees, decides and stops from the speed at which it came.
-  static Length stopping(const Aircraft& aircraft, const TrackPoint& point) {
+  // Where it cannot see, decide and stop before it, from the speed at which it came.
+  static void excuse(Aircraft& aircraft, const Obstacle& o, const TrackPoint& point) {
     constexpr Seconds reaction = seconds(0.3);
     const Seconds took = seconds(point.at - aircraft.last->at);
-    if (took <= Seconds{}) return {};
+    if (took <= Seconds{}) return;
     const Speed speed = distance(aircraft.last->position, point.position) / took;
-    return speed * (took + reaction) + speed * speed / (2.0 * aircraft.brakes);
+    const Seconds stops = reaction + speed / aircraft.brakes;
+    const Length way = speed * (took + reaction) + speed * speed / (2.0 * aircraft.brakes);
+    if (distance_to(o, point) >= aircraft.kept + way) return;
+    aircraft.excused[o.id] = point.at + duration(stops);
   }
 
   // Once for each aircraft and obstacle.

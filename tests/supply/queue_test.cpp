@@ -70,7 +70,7 @@ TEST_CASE("queue: says when one who comes now is expected to have a bay", "[supp
   CHECK(queue.next_free(at_s(1)) == at_s(81));
   CHECK(queue.next_free(at_s(50)) == at_s(90));
   queue.shut(1);
-  CHECK(queue.next_free(at_s(50)) == never);
+  CHECK(queue.next_free(at_s(50)) == Instant{});
 }
 
 TEST_CASE("queue: a claim that waits unrenewed is dropped when its lease ends", "[supply]") {
