@@ -7,6 +7,7 @@
 #include "mission/fleet.hpp"
 #include "mission/load.hpp"
 #include "mission/located.hpp"
+#include "scheduler/plan_fleet.hpp"
 #include "sim/checkers/laws.hpp"
 
 #include <chrono>

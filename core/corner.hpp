@@ -2,6 +2,8 @@
 // How an aircraft turns where two straight legs meet: flown so by the agents, timed so by the
 // scheduler.
 
+#include "core/geometry.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -49,6 +51,34 @@ inline CornerArc corner_arc(Corner corner, double angle_rad, double leg_m, doubl
   const double radius = cut / std::tan(0.5 * angle_rad);
   if (radius < std::max(tightest_m, least_radius_m)) return {0.0, 0.0};
   return {cut, radius};
+}
+
+/// How far a way turns between two legs, to either side [rad].
+inline double turn_rad(FieldVector in, FieldVector out) {
+  const double along = (in.x * out.x + in.y * out.y).base();
+  const double across = (in.x * out.y - in.y * out.x).base();
+  return std::abs(std::atan2(across, along));
+}
+
+/// Of the acceleration, across in arcs; the rest keeps aircraft on them.
+inline constexpr double turning_share = 0.9;
+
+/// At which an arc takes that share.
+inline double arc_speed_mps(double acceleration_mps2, double radius_m) {
+  return std::sqrt(turning_share * acceleration_mps2 * radius_m);
+}
+
+/// How long a leg takes between two speeds, by its trapezoid [s].
+/// @param limit_mps  Fastest on it, unless it begins or ends faster.
+inline double leg_time_s(double length_m, double limit_mps, double from_mps, double to_mps,
+                         double acceleration_mps2) {
+  if (length_m <= 0.0) return 0.0;
+  const double squares = from_mps * from_mps + to_mps * to_mps;
+  const double reached_mps = std::sqrt(acceleration_mps2 * length_m + 0.5 * squares);
+  const double peak_mps = std::max({std::min(reached_mps, limit_mps), from_mps, to_mps});
+  const double ramps_m = (2.0 * peak_mps * peak_mps - squares) / (2.0 * acceleration_mps2);
+  return (2.0 * peak_mps - from_mps - to_mps) / acceleration_mps2 +
+         std::max(0.0, length_m - ramps_m) / peak_mps;
 }
 
 }  // namespace furrow

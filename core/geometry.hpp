@@ -4,6 +4,7 @@
 #include "core/units.hpp"
 
 #include <cmath>
+#include <span>
 
 namespace furrow {
 
@@ -40,6 +41,13 @@ constexpr FieldPoint at_m(double east_m, double north_m) {
 template <class Frame>
 Length distance(Position2<Frame> a, Position2<Frame> b) {
   return metres(std::hypot((b.x - a.x).base(), (b.y - a.y).base()));
+}
+
+/// Along a way of straight legs.
+inline Length way_length(std::span<const FieldPoint> way) {
+  Length sum{};
+  for (std::size_t i = 1; i < way.size(); ++i) sum += distance(way[i - 1], way[i]);
+  return sum;
 }
 
 }  // namespace furrow

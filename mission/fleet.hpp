@@ -4,8 +4,8 @@
 #include "core/node.hpp"
 #include "core/node_host.hpp"
 #include "mission/scenario.hpp"
+#include "scheduler/fleet_ferries.hpp"
 #include "scheduler/fleet_plan.hpp"
-#include "scheduler/plan_fleet.hpp"
 
 namespace furrow::mission {
 

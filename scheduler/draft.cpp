@@ -26,9 +26,7 @@ Itinerary rough_itinerary(const Desk& desk, std::size_t uav, const Share& share)
   GrowingShare growing{desk.route, desk.lengths, desk.paces[uav][share.station],
                        share.strips.first};
   for (std::uint32_t s = 0; s < share.strips.count; ++s) growing.grow();
-  const std::uint32_t first = desk.route.strips[share.strips.first].cells.first;
-  const std::uint32_t stop = end(desk.route.strips[end(share.strips) - 1].cells);
-  const CellRange cells{first, stop - first};
+  const CellRange cells = cells_of(desk.route, share.strips);
   const auto problem =
       planner::return_problem(desk.route, cells, vehicle, desk.stations[share.station],
                               part(desk.lengths.stations[share.station], cells));

@@ -7,6 +7,8 @@
 #include "planner/coverage/cover.hpp"
 #include "planner/returns/solve.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -62,5 +64,14 @@ struct FleetPlan {
   std::string bound{};        ///< What holds the fleet up by that bound; empty if none is known: 0.
   std::optional<Yardsticks> yardsticks{};  ///< Where sorties were chosen jointly.
 };
+
+/// The place of a station among others, where it is added if it is new.
+inline std::size_t place_of(const Station& station, std::vector<Station>& stations) {
+  const auto known = std::find_if(stations.begin(), stations.end(),
+                                  [&](const Station& s) { return s.id == station.id; });
+  const auto place = static_cast<std::size_t>(known - stations.begin());
+  if (known == stations.end()) stations.push_back(station);
+  return place;
+}
 
 }  // namespace furrow::scheduler

@@ -24,7 +24,7 @@ constexpr std::size_t abreast = 16;  // threads at once
 Itinerary itinerary_of(const FleetTask& task, const ReturnPlan& plan) {
   if (!task.times) return grounded(task.agent);
   Itinerary it = itinerary(task.agent, task.station, plan, *task.times);
-  it.begins_s = task.begins_s;
+  it.begins_s = task.problem->vehicle.available_from.base();
   return it;
 }
 

@@ -14,7 +14,6 @@ struct FleetTask {
   std::uint32_t station;                          ///< Index into the stations.
   std::optional<planner::ReturnProblem> problem;  ///< None for an empty share.
   std::optional<FlightTimes> times;               ///< Of the problem; none for an empty share.
-  double begins_s = 0;                            ///< Mission time of its first take-off.
 };
 
 struct FleetReturns {

@@ -3,15 +3,8 @@
 #include "core/require.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace furrow::scheduler {
-namespace {
-
-constexpr double same_place_m = 1e-6;
-
-}  // namespace
-
 FlightTimes::FlightTimes(const planner::Route& route, const planner::ReturnProblem& problem)
     : FlightTimes{route, std::vector<const planner::ReturnProblem*>{&problem}} {}
 

@@ -10,8 +10,6 @@
 namespace furrow::scheduler {
 namespace {
 
-constexpr double turning_share = 0.9;  // of the acceleration: the rest keeps aircraft on their arcs
-constexpr double same_place_m = 1e-6;
 constexpr double unlimited_mps = std::numeric_limits<double>::infinity();
 
 }  // namespace
@@ -43,7 +41,7 @@ class LegTimes::Clock {
   double fly(const Stretch& s, double wanted_mps) {
     const double exit_mps =
         std::min(wanted_mps, std::sqrt(speed_mps_ * speed_mps_ + 2.0 * acceleration_ * s.length_m));
-    const double took_s = flown_s(s, exit_mps);
+    const double took_s = leg_time_s(s.length_m, s.limit_mps, speed_mps_, exit_mps, acceleration_);
     now_s_ += took_s;
     speed_mps_ = exit_mps;
     return took_s;
@@ -54,16 +52,6 @@ class LegTimes::Clock {
   }
 
  private:
-  double flown_s(const Stretch& s, double exit_mps) const {
-    if (s.length_m <= 0.0) return 0.0;
-    const double squares = speed_mps_ * speed_mps_ + exit_mps * exit_mps;
-    const double reached_mps = std::sqrt(acceleration_ * s.length_m + 0.5 * squares);
-    const double peak_mps = std::max({std::min(reached_mps, s.limit_mps), speed_mps_, exit_mps});
-    const double ramps_m = (2.0 * peak_mps * peak_mps - squares) / (2.0 * acceleration_);
-    return (2.0 * peak_mps - speed_mps_ - exit_mps) / acceleration_ +
-           std::max(0.0, s.length_m - ramps_m) / peak_mps;
-  }
-
   double acceleration_, now_s_ = 0.0, speed_mps_ = 0.0;
 };
 
@@ -90,7 +78,7 @@ LegTimes::Turn LegTimes::turn(const Leg& in, const Leg& out) const {
   const auto [cut_m, radius_m] =
       corner_arc(in.corner, angle, std::min(in.length_m, out.length_m), cut_m_, least_radius_m_);
   if (radius_m == 0.0) return {0.0, {0.0, 0.0}};
-  const double turning_mps = std::sqrt(turning_share * acceleration_mps2_ * radius_m);
+  const double turning_mps = arc_speed_mps(acceleration_mps2_, radius_m);
   return {cut_m, {radius_m * angle, std::min(limit_mps, turning_mps)}};
 }
 

@@ -10,6 +10,9 @@
 
 namespace furrow::scheduler {
 
+/// Legs shorter than this have no length.
+inline constexpr double same_place_m = 1e-6;
+
 /// One sortie in the air.
 struct SortieTimes {
   double until_sprayed_s;  ///< From take-off to its last sprayed cell.

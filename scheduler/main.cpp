@@ -2,6 +2,7 @@
 
 #include "mission/fleet.hpp"
 #include "process/node_process.hpp"
+#include "scheduler/plan_fleet.hpp"
 
 using namespace furrow;
 

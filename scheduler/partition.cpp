@@ -82,4 +82,10 @@ std::vector<Share> partition(const PartitionProblem& problem) {
   return *best;
 }
 
+CellRange cells_of(const planner::Route& route, CellRange strips) {
+  if (strips.count == 0) return {0, 0};
+  const std::uint32_t first = route.strips[strips.first].cells.first;
+  return {first, end(route.strips[end(strips) - 1].cells) - first};
+}
+
 }  // namespace furrow::scheduler

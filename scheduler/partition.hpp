@@ -38,4 +38,7 @@ struct PartitionProblem {
 /// Time O(cells * stations) per bisection step, of which there are at most 64.
 std::vector<Share> partition(const PartitionProblem& problem);
 
+/// The cells of a run of strips; none of an empty one.
+CellRange cells_of(const planner::Route& route, CellRange strips);
+
 }  // namespace furrow::scheduler

@@ -55,12 +55,6 @@ fleet::Flier fastest_flier(const Vehicle& v) {
   return f;
 }
 
-double angle_rad(FieldVector in, FieldVector out) {
-  const double across = (in.x * out.y - in.y * out.x).base();
-  const double along = (in.x * out.x + in.y * out.y).base();
-  return std::abs(std::atan2(across, along));
-}
-
 /// What the corners of a grid walk, cut with the valve open, spare the fleet at most. An arc that
 /// leaves both legs c before a corner of angle q has the radius r = c / tan(q / 2) and is flown at
 /// sqrt(a r), or at the spray speed if that is less.
@@ -99,7 +93,7 @@ class CutCorners {
     const double strip_m = distance(strip.begin, strip.end).base();
     const double hop_m = std::hypot(hop.x.base(), hop.y.base());
     const double cut_m = std::min({half_m_, 0.5 * strip_m, 0.5 * hop_m});
-    const double angle = angle_rad(strip.end - strip.begin, hop);
+    const double angle = turn_rad(strip.end - strip.begin, hop);
     if (angle < straight_rad || cut_m <= 0.0) return 0.0;
     const double radius_m = cut_m / std::tan(0.5 * angle);
     const double turning_mps = std::sqrt(v.acceleration_limit.base() * radius_m);

@@ -2,11 +2,11 @@
 
 #include "core/require.hpp"
 #include "scheduler/ceiling.hpp"
-#include "scheduler/draft.hpp"
 #include "scheduler/fleet_returns.hpp"
 #include "scheduler/joint_plan.hpp"
 #include "scheduler/lower_bound.hpp"
 #include "scheduler/path_model.hpp"
+#include "scheduler/sketch.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -19,21 +19,6 @@ using planner::PlanError;
 using planner::PlanFault;
 
 constexpr int recuts = 3;
-
-/// A covered field with its shares.
-struct Sketch {
-  planner::Coverage coverage;
-  RouteLengths lengths;
-  Draft draft;
-};
-
-/// With those who come late, by id.
-std::vector<Vehicle> whole_fleet(const FleetProblem& problem) {
-  std::vector<Vehicle> all = problem.vehicles;
-  all.insert(all.end(), problem.joining.begin(), problem.joining.end());
-  std::sort(all.begin(), all.end(), [](const Vehicle& a, const Vehicle& b) { return a.id < b.id; });
-  return all;
-}
 
 /// Who has no share yet, from the station nearest to its home.
 UavPlan without_share(const Vehicle& vehicle, const std::vector<Station>& stations) {
@@ -71,133 +56,6 @@ std::optional<PlanError> fleet_fault(const std::vector<Vehicle>& vehicles) {
   return std::nullopt;
 }
 
-std::optional<PlanError> cut_off_strip(const planner::Route& route,
-                                       const planner::FerryMap& ferries) {
-  for (const planner::Strip& strip : route.strips) {
-    if (ferries.reaches(strip.begin) && ferries.reaches(strip.end)) continue;
-    return PlanError{PlanFault::out_of_reach,
-                     "the strip at (" + std::to_string(strip.begin.x.base()) + ", " +
-                         std::to_string(strip.begin.y.base()) +
-                         ") m is cut off from the stations by holes or obstacles",
-                     strip.begin};
-  }
-  return std::nullopt;
-}
-
-// A walk knows cells, not what lies between two of them that it flies across; rows of one part of a
-// field know no way to those of another.
-void lead_around_holes(planner::Route& route, const std::vector<std::size_t>& leaps) {
-  for (const std::size_t i : leaps) {
-    route.strips[i].approach = approach_over(route.ferries, route.strips[i - 1], route.strips[i]);
-  }
-}
-
-Expected<Sketch, PlanError> sketch(const FleetProblem& problem, const planner::FerryMap& ferries,
-                                   const planner::CoverageModel& model) {
-  auto coverage = planner::cover(problem.field, problem.vehicles.front().swath, model);
-  if (!coverage) return Unexpected{coverage.error()};
-  if (auto fault = cut_off_strip(coverage->route, ferries)) return Unexpected{std::move(*fault)};
-  coverage->route.ferries = ferries;
-  lead_around_holes(coverage->route, coverage->leaps);
-  RouteLengths lengths = route_lengths(coverage->route, problem.stations);
-  Draft drafted = draft(coverage->route, lengths, problem.vehicles, problem.stations);
-  return Sketch{std::move(*coverage), std::move(lengths), std::move(drafted)};
-}
-
-/// The models to draft: one where the direction is given or the model searches it.
-std::vector<planner::CoverageModel> candidates(const FleetProblem& problem) {
-  const FieldPoint home = problem.vehicles.front().home;
-  if (const auto* swath = std::get_if<planner::SwathSettings>(&problem.coverage)) {
-    planner::SwathSettings settings = *swath;
-    settings.direction_deg = problem.work_direction_deg;
-    if (!settings.near) settings.near = home;
-    return {settings};
-  }
-  planner::CoverageSettings settings = std::get<planner::CoverageSettings>(problem.coverage);
-  if (!settings.start && !settings.near) settings.near = home;
-  std::vector<planner::CoverageModel> models;
-  for (const double direction_deg : {0.0, 90.0, 180.0, 270.0}) {
-    settings.work_direction_deg = problem.work_direction_deg.value_or(direction_deg);
-    models.emplace_back(settings);
-    if (problem.work_direction_deg) break;
-  }
-  return models;
-}
-
-// Surveys over terrain are flown high above all obstacles.
-Length safety_of(const FleetProblem& problem) {
-  return problem.survey && problem.terrain ? Length{} : planner::safety_of(problem.coverage);
-}
-
-// Of the survey's way points.
-std::optional<PlanError> too_near_to_obstacle(FieldPoint at, const FleetProblem& problem) {
-  const Length kept = safety_of(problem);
-  if (kept <= Length{}) return std::nullopt;
-  for (const Obstacle& o : problem.field.obstacles) {
-    if (-depth_in(o, at) >= kept) continue;
-    return PlanError{PlanFault::out_of_reach,
-                     fmt::format("the way point ({:.3f}, {:.3f}) m is nearer than {} m to obstacle "
-                                 "{}",
-                                 at.x.base(), at.y.base(), kept.base(), o.id),
-                     at};
-  }
-  return std::nullopt;
-}
-
-Length corner_cut(const FleetProblem& problem) { return 0.5 * problem.vehicles.front().swath; }
-
-Expected<Sketch, PlanError> survey_sketch(const FleetProblem& problem,
-                                          const planner::FerryMap& ferries) {
-  for (const FieldPoint at : problem.survey->way_points) {
-    if (auto fault = too_near_to_obstacle(at, problem)) return Unexpected{std::move(*fault)};
-    if (ferries.reaches(at)) continue;
-    return Unexpected{PlanError{
-        PlanFault::out_of_reach,
-        fmt::format("the way point ({:.3f}, {:.3f}) m is cut off from the stations by holes, "
-                    "obstacles or keep-out volumes",
-                    at.x.base(), at.y.base()),
-        at}};
-  }
-  planner::SurveyRule rule{.field = problem.field, .apart = corner_cut(problem), .speed = {}};
-  for (const Vehicle& v : whole_fleet(problem)) {
-    rule.speed = std::max(rule.speed, v.ferry_speed);
-    rule.turn_radius = std::max(rule.turn_radius, v.min_turn_radius);
-  }
-  Sketch made{.coverage = {.route = planner::survey_route(*problem.survey, rule, ferries,
-                                                          problem.vehicles.front().home),
-                           .direction_deg = 0,
-                           .leaps = {},
-                           .sweep = {}},
-              .lengths = {},
-              .draft = {}};
-  made.lengths = route_lengths(made.coverage.route, problem.stations);
-  made.draft = draft(made.coverage.route, made.lengths, problem.vehicles, problem.stations);
-  return made;
-}
-
-/// The sketch with the smallest forecast makespan.
-Expected<Sketch, PlanError> best_sketch(const FleetProblem& problem) {
-  const auto ferries = ferry_map(problem);
-  if (!ferries) return Unexpected{ferries.error()};
-  if (problem.survey) return survey_sketch(problem, *ferries);
-  const std::vector<planner::CoverageModel> models = candidates(problem);
-  auto best = sketch(problem, *ferries, models.front());
-  for (std::size_t i = 1; i < models.size(); ++i) {
-    auto other = sketch(problem, *ferries, models[i]);
-    if (!other) continue;
-    const bool is_better =
-        !best || other->draft.forecast.makespan_s < best->draft.forecast.makespan_s;
-    if (is_better) best = std::move(other);
-  }
-  return best;
-}
-
-CellRange cells_of(const planner::Route& route, CellRange strips) {
-  if (strips.count == 0) return {0, 0};
-  const std::uint32_t first = route.strips[strips.first].cells.first;
-  return {first, end(route.strips[end(strips) - 1].cells) - first};
-}
-
 std::vector<FleetTask> tasks(const FleetProblem& problem, const Sketch& s,
                              const std::vector<Share>& shares) {
   std::vector<FleetTask> all;
@@ -211,7 +69,6 @@ std::vector<FleetTask> tasks(const FleetProblem& problem, const Sketch& s,
           planner::return_problem(s.coverage.route, cells, vehicle, problem.stations[share.station],
                                   part(s.lengths.stations[share.station], cells));
       task.times.emplace(s.coverage.route, *task.problem);
-      task.begins_s = vehicle.available_from.base();
     }
     all.push_back(std::move(task));
   }
@@ -261,9 +118,8 @@ Expected<Solved, PlanError> best_solved(const FleetProblem& problem, const Sketc
   return best;
 }
 
-/// Those who come late count from then on. On surveys, whose strips have
-/// no length, of contiguous shares only. An aircraft alone with one station has its solver's bound
-/// besides.
+/// Those who come late count from then on. On surveys, whose strips have no length, of contiguous
+/// shares only. An aircraft alone with one station has its solver's bound besides.
 MakespanBound lower_bound(const FleetProblem& problem, const Sketch& s,
                           const Expected<Solved, PlanError>& found) {
   const std::vector<Vehicle> fleet = whole_fleet(problem);
@@ -330,48 +186,20 @@ std::vector<UavPlan> planned_shares(const FleetProblem& problem, const Sketch& s
   return plans;
 }
 
-bool is_over(const planner::KeepOut& volume, const Ring& boundary) {
-  const FieldPoint axis = at_m(volume.x_m, volume.y_m);
-  return contains(boundary, axis) || edge_distance(boundary, axis).base() < volume.radius_m;
-}
-
-// All that ferries may fly over: the field, and the stands with their aprons (see FerryMap).
-Extent flown_over(const Field& field, const std::vector<FieldPoint>& stands) {
-  constexpr double apron = 1.6;
-  constexpr Length spare = metres(30);
-  Extent all{field.boundary.front(), field.boundary.front()};
-  for (const FieldPoint p : field.boundary) cover(all, p, spare);
-  for (const FieldPoint stand : stands) {
-    cover(all, stand, spare + apron * edge_distance(field.boundary, stand));
-  }
-  return all;
-}
-
-std::optional<PlanError> terrain_fault(const planner::Relief& relief, const Ring& boundary,
-                                       bool is_survey, bool is_searched) {
-  for (const planner::KeepOut& volume : relief.keep_out()) {
-    if (is_survey || !is_over(volume, boundary)) continue;
-    return PlanError{PlanFault::out_of_reach,
-                     fmt::format("the keep-out volume at ({:.3f}, {:.3f}) m reaches over the field",
-                                 volume.x_m, volume.y_m)};
-  }
-  const auto ceiling = relief.rule().ceiling;
-  if (is_searched) return std::nullopt;  // ferries lead around what is too high, or see below
-  if (ceiling && relief.highest_ferry_m() > ceiling->base()) {
-    return PlanError{PlanFault::out_of_reach,
-                     fmt::format("ferries need {:.1f} m over the highest ground, the ceiling is "
-                                 "{:.1f} m",
-                                 relief.highest_ferry_m(), ceiling->base())};
-  }
-  return std::nullopt;
-}
-
 // Bounds count corners as sharp, and walks of a grid cut them with the valve open. A plan below a
 // bound refutes it.
 void forget_refuted_bound(FleetPlan& plan) {
   if (plan.lower_bound_s <= (1 + 1e-9) * plan.makespan_s) return;
   plan.lower_bound_s = 0.0;
   plan.bound.clear();
+}
+
+Yardsticks yardsticks(const JointPlan& joint, bool is_joint) {
+  return {.shares_s = {},
+          .till_empty_s = joint.till_empty_s,
+          .simple_s = joint.simple_s,
+          .evaluations = joint.evaluations,
+          .is_joint = is_joint};
 }
 
 void add_joining(FleetPlan& plan, const FleetProblem& problem) {
@@ -383,39 +211,6 @@ void add_joining(FleetPlan& plan, const FleetProblem& problem) {
 }
 
 }  // namespace
-
-Expected<planner::FerryMap, PlanError> ferry_map(const FleetProblem& problem) {
-  // Rounding at the corners around a circle must not keep strips' ends out of the ferries' land.
-  constexpr double kept_safety = 0.96;
-  Field field = problem.field;
-  planner::FerryRule rule{.corner_cut = corner_cut(problem)};
-  std::visit([&](const auto& settings) { rule.margin = settings.margin; }, problem.coverage);
-  if (const auto* swath = std::get_if<planner::SwathSettings>(&problem.coverage)) {
-    rule.hole_buffer = swath->hole_buffer;
-  }
-  rule.safety = kept_safety * safety_of(problem);
-  std::vector<FieldPoint> stands;
-  const auto add = [&](FieldPoint at) {
-    if (std::find(stands.begin(), stands.end(), at) == stands.end()) stands.push_back(at);
-  };
-  for (const Station& station : problem.stations) add(station.position);
-  for (const Vehicle& vehicle : whole_fleet(problem)) add(vehicle.home);
-  if (!problem.terrain) return planner::FerryMap::over(field, rule, stands);
-  const planner::Relief relief{*problem.terrain, flown_over(field, stands)};
-  if (auto fault = terrain_fault(relief, field.boundary, problem.survey.has_value(),
-                                 problem.terrain->ferries.has_value())) {
-    return Unexpected{std::move(*fault)};
-  }
-  for (const planner::KeepOut& volume : relief.keep_out()) {
-    field.obstacles.push_back(
-        {.id = "keep-out",
-         .center = at_m(volume.x_m, volume.y_m),
-         .radius = metres(volume.radius_m) + std::max(Length{}, rule.corner_cut - rule.safety)});
-  }
-  auto map = planner::FerryMap::over(field, rule, stands);
-  if (!map) return map;
-  return map->over_ground(relief, problem.terrain->ferries);
-}
 
 Expected<FleetPlan, PlanError> plan_fleet(const FleetProblem& problem) {
   require(!problem.vehicles.empty() && !problem.stations.empty(),
@@ -441,11 +236,7 @@ Expected<FleetPlan, PlanError> plan_fleet(const FleetProblem& problem) {
                  .lower_bound_s = bound.makespan_s,
                  .bound = std::move(bound.name)};
   if (joint) {
-    plan.yardsticks = {.shares_s = {},
-                       .till_empty_s = joint->till_empty_s,
-                       .simple_s = joint->simple_s,
-                       .evaluations = joint->evaluations,
-                       .is_joint = is_joint};
+    plan.yardsticks = yardsticks(*joint, is_joint);
     if (may_share) plan.yardsticks->shares_s = found->returns.forecast.makespan_s;
   }
   if (is_joint) {

@@ -1,35 +1,9 @@
 #pragma once
 
-#include "planner/coverage/cover.hpp"
-#include "planner/survey/survey.hpp"
-#include "planner/terrain/relief.hpp"
 #include "scheduler/fleet_plan.hpp"
-
-#include <optional>
+#include "scheduler/fleet_problem.hpp"
 
 namespace furrow::scheduler {
-
-/// A field to spray, or places to visit over it, and what there is to do so with.
-struct FleetProblem {
-  Field field;
-  planner::CoverageModel coverage;           ///< Its direction is the next line's.
-  std::optional<double> work_direction_deg;  ///< Clockwise from north; searched when left out.
-  std::vector<Station> stations;             ///< At least one.
-  std::vector<Vehicle> vehicles;             ///< At least one, ids rising, all of one swath.
-  planner::SolveSettings solver;             ///< Its budget is for the whole fleet.
-  std::optional<planner::TerrainModel> terrain{};  ///< None: level land.
-  std::vector<Vehicle> joining{};  ///< Come after the start: they are given no share.
-  /// Then way points are visited and nothing is sprayed; the terrain's work height is the survey's.
-  std::optional<planner::SurveySettings> survey{};
-};
-
-/// The ways between all stations, homes and strips, at the distances that strips keep. Over terrain
-/// with its heights; they lead around keep-out volumes, whatever part of their height is kept out.
-/// @error  out_of_reach  A keep-out volume is over a field to spray, or the ceiling is too low for
-/// ferries
-///         over the highest ground on the way.
-/// @error  any other     As planner::FerryMap::over.
-Expected<planner::FerryMap, planner::PlanError> ferry_map(const FleetProblem& problem);
 
 /// Plans the mission: covers the field, cuts the route into shares that are predicted to be done at
 /// the same time, gives each aircraft a station and chooses the return points. With several

@@ -33,12 +33,6 @@ std::vector<SeenObstacle> obstacles(const std::vector<KeptObstacle>& kept) {
   return all;
 }
 
-void add_new(std::vector<Station>& stations, const Station& more) {
-  const bool is_known = std::any_of(stations.begin(), stations.end(),
-                                    [&](const Station& s) { return s.id == more.id; });
-  if (!is_known) stations.push_back(more);
-}
-
 bool is_due(const std::optional<Instant>& last, Instant now) {
   return !last || now - *last >= resend_after;
 }
@@ -60,8 +54,8 @@ SchedulerNode::SchedulerNode(SchedulerSettings settings)
   require(number(settings_.epoch) > 0, "an epoch is counted from 1");
   if (settings_.separation) airspace_.emplace(*settings_.separation);
   for (const UavPlan& uav : settings_.plan.uavs) {
-    add_new(stations_, uav.station);
-    for (const Station& s : uav.landings) add_new(stations_, s);
+    place_of(uav.station, stations_);
+    for (const Station& s : uav.landings) place_of(s, stations_);
     Member m{.agent = uav.vehicle.id,
              .vehicle = uav.vehicle,
              .station = uav.station,
@@ -72,7 +66,7 @@ SchedulerNode::SchedulerNode(SchedulerSettings settings)
     m.pieces = pieces(m.sorties);
     members_.push_back(std::move(m));
   }
-  for (const Station& s : settings_.stations) add_new(stations_, s);
+  for (const Station& s : settings_.stations) place_of(s, stations_);
 }
 
 Outbox SchedulerNode::step(const Inbox& inbox, Instant now) {

@@ -97,7 +97,7 @@ class SchedulerNode {
     bool accepted = false;  ///< The revision.
     bool lost = false;
     bool joins = false;   ///< Comes late, and has no share of the work yet.
-    bool is_out = false;  ///< The operator has taken it out.
+    bool is_out = false;  ///< Taken out, by the operator or as its window ends.
     std::optional<Instant> commanded_at{}, granted_at{};
     bool owes_grant = false;  ///< The level has changed since it was last sent.
   };
@@ -139,10 +139,10 @@ class SchedulerNode {
   void hand_over();
   void wind_up(Outbox& out);
   void report_orders(Outbox& out);
-  bool leaves_on_order(const Member& m) const { return m.is_out || level_ == FleetLevel::end; }
-
   void close_windows(Instant now, Outbox& out);
   Instant called_home(const Member& m) const;
+  bool leaves_on_order(const Member& m) const { return m.is_out || level_ == FleetLevel::end; }
+
   void gather(Instant now, Outbox& out);
   void check_leases(Instant now, Outbox& out);
   void check_limit(Instant now, Outbox& out);

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 namespace furrow::scheduler {
 namespace {
@@ -19,7 +18,6 @@ class Places {
     if (known == places_.end()) places_.push_back(at);
     return i;
   }
-  std::size_t size() const { return places_.size(); }
 
  private:
   std::vector<FieldPoint> places_{};
@@ -27,26 +25,15 @@ class Places {
 
 std::vector<Station> stations_of(const FleetPlan& plan) {
   std::vector<Station> stations;
-  const auto add = [&](const Station& more) {
-    const bool is_known = std::any_of(stations.begin(), stations.end(),
-                                      [&](const Station& s) { return s.id == more.id; });
-    if (!is_known) stations.push_back(more);
-  };
   for (const UavPlan& uav : plan.uavs) {
-    add(uav.station);
-    for (const Station& s : uav.landings) add(s);
+    place_of(uav.station, stations);
+    for (const Station& s : uav.landings) place_of(s, stations);
   }
   return stations;
 }
 
-std::uint32_t place_of(const Station& station, const std::vector<Station>& stations) {
-  const auto found = std::find_if(stations.begin(), stations.end(),
-                                  [&](const Station& s) { return s.id == station.id; });
-  return static_cast<std::uint32_t>(found - stations.begin());
-}
-
 /// The times of a plan without its waits.
-Itinerary itinerary(const UavPlan& uav, const std::vector<Station>& stations) {
+Itinerary itinerary(const UavPlan& uav, std::vector<Station>& stations) {
   Itinerary it = grounded(uav.vehicle.id);
   it.flies = uav.spray_ends_s > 0.0;
   it.begins_s = uav.vehicle.available_from.base();
@@ -55,7 +42,7 @@ Itinerary itinerary(const UavPlan& uav, const std::vector<Station>& stations) {
     const Visit& visit = uav.visits[n];
     it.flights_s.push_back(visit.arrives_s - leaves_s);
     it.services_s.push_back(visit.ready_s - visit.starts_s);
-    it.stations.push_back(place_of(landing(uav, n), stations));
+    it.stations.push_back(static_cast<std::uint32_t>(place_of(landing(uav, n), stations)));
     leaves_s = visit.ready_s;
   }
   it.last_spray_s = uav.spray_ends_s - leaves_s;
@@ -73,7 +60,7 @@ double take_off_slot_s(const Vehicle& vehicle, Length separation) {
 }
 
 double shared_air_makespan_s(const FleetPlan& plan, Length separation) {
-  const std::vector<Station> stations = stations_of(plan);
+  std::vector<Station> stations = stations_of(plan);
   Places places;
   Pads pads;
   for (const Station& s : stations) pads.stations.push_back(places.index(s.position));

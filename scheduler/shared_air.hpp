@@ -10,13 +10,14 @@ namespace furrow::scheduler {
 double take_off_slot_s(const Vehicle& vehicle, Length separation);
 
 /// Makespan of a plan where aircraft keep a distance in the air: from one home or station they take
-/// off one by one, in the order in which they are ready, a slot apart; bays are waited for as ever.
+/// off one by one, a slot apart, each as soon as it is ready and nobody has the place: who comes to
+/// a station first chooses first, at homes in order of the plan. Bays are waited for as ever.
 /// Waits for ways that cross in the air are not foreseen.
 ///
 /// Time O(visits * (log aircraft + bays + take-offs of a station)).
 ///
 /// @param separation  > 0.
-/// @return            [s], never below the plan's own makespan but for rounding.
+/// @return            [s]; below the plan's own where a wait lets another to the bay first.
 double shared_air_makespan_s(const FleetPlan& plan, Length separation);
 
 }  // namespace furrow::scheduler

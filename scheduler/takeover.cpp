@@ -52,15 +52,6 @@ struct Desk {
   std::vector<bool> reaches;      ///< By survivor: not yet found unable.
 };
 
-/// Its place among them, where it is added if it is new.
-std::size_t place_of(const Station& station, std::vector<Station>& stations) {
-  const auto known = std::find_if(stations.begin(), stations.end(),
-                                  [&](const Station& s) { return s.id == station.id; });
-  const auto place = static_cast<std::size_t>(known - stations.begin());
-  if (known == stations.end()) stations.push_back(station);
-  return place;
-}
-
 Desk desk_for(const Remnant& left, std::span<const Survivor> survivors,
               std::span<const Station> others) {
   Desk desk{.left = left,
@@ -111,9 +102,7 @@ std::optional<Planned> planned(const Desk& desk, std::size_t u, const Share& sha
       .list = {}};
   if (share.strips.count == 0) return none;
   const planner::Route& route = desk.left.route;
-  const std::uint32_t first = route.strips[share.strips.first].cells.first;
-  const std::uint32_t stop = end(route.strips[end(share.strips) - 1].cells);
-  const CellRange cells{first, stop - first};
+  const CellRange cells = cells_of(route, share.strips);
   const ReturnProblem problem =
       planner::return_problem(route, cells, survivor.vehicle, survivor.station,
                               part(desk.lengths.stations[desk.at[u]], cells));

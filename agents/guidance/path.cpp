@@ -8,7 +8,6 @@ namespace furrow::agents {
 namespace {
 
 constexpr double shortest_leg_m = 1e-6;
-constexpr double arc_share = 0.9;  // of the acceleration: the rest brings it back onto the arc
 
 // Time over a length when speed may rise and fall at `a` but not pass `limit`.
 double flown_s(double length_m, double entry_mps, double exit_mps, double limit_mps, double a) {
@@ -21,10 +20,6 @@ double flown_s(double length_m, double entry_mps, double exit_mps, double limit_
 }
 
 }  // namespace
-
-double arc_speed_mps(double acceleration_mps2, double radius_m) {
-  return std::sqrt(arc_share * acceleration_mps2 * radius_m);
-}
 
 Path::Path(Xy start_m, PathLimits limits) : limits_{limits} {
   vertices_.push_back({.at = start_m, .leg_m = 0.0, .limit_mps = 0.0});

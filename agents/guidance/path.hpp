@@ -28,9 +28,6 @@ struct Segment {
   bool is_straight() const { return curvature_per_m == 0.0; }
 };
 
-/// The speed at which an arc may be flown [m/s].
-double arc_speed_mps(double acceleration_mps2, double radius_m);
-
 class Path {
  public:
   /// Starts at rest at `start_m`.

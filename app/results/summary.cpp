@@ -1,7 +1,9 @@
 #include "app/results/summary.hpp"
 
+#include "app/results/cell_coverage.hpp"
 #include "app/results/digest.hpp"
 #include "app/results/expectations.hpp"
+#include "app/results/fault_figures.hpp"
 #include "app/results/footprint.hpp"
 #include "app/results/land.hpp"
 #include "app/results/solver_figures.hpp"
@@ -15,46 +17,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <span>
 
 namespace furrow::app {
 namespace {
-
-const char* name(mission::Fault::Kind kind) {
-  switch (kind) {
-    case mission::Fault::Kind::agent_kill: return "agent_kill";
-    case mission::Fault::Kind::agent_join: return "agent_join";
-    case mission::Fault::Kind::bay_down: return "bay_down";
-    case mission::Fault::Kind::pause: return "pause";
-    case mission::Fault::Kind::resume: return "resume";
-    case mission::Fault::Kind::return_all: return "return_all";
-    case mission::Fault::Kind::stop: return "stop";
-    case mission::Fault::Kind::take_out: return "take_out";
-  }
-  return "unknown";
-}
-
-// Each cell's length as a share of the nominal cell: 1 where cells are squares, 0 on a survey.
-std::vector<double> cell_shares(const planner::Route& route) {
-  if (planner::is_survey(route)) return std::vector<double>(route.centers.size());
-  std::vector<double> shares = planner::cell_lengths_m(route);
-  for (double& length : shares) length /= route.cell.base();
-  for (const planner::Strip& strip : route.strips) {
-    if (strip.width == Length{}) continue;
-    const double part = strip.width / route.cell;
-    for (std::uint32_t c = strip.cells.first; c < end(strip.cells); ++c) shares[c] *= part;
-  }
-  return shares;
-}
-
-double sum(std::span<const double> shares) {
-  return std::accumulate(shares.begin(), shares.end(), 0.0);
-}
-
-double cell_area_m2(const MissionRecord& record) {
-  return record.plan.route.cell.base() * record.plan.route.cell.base();
-}
 
 FieldFigures field_figures(const MissionRecord& record) {
   const planner::Route& route = record.plan.route;
@@ -71,86 +37,6 @@ FieldFigures field_figures(const MissionRecord& record) {
           .strips = strips,
           .strip_length_m = strips_m,
           .cells = static_cast<std::uint32_t>(route.centers.size() + route.missed.size())};
-}
-
-// Every cell of every share, flown exactly.
-std::vector<Pass> planned_passes(const scheduler::FleetPlan& plan) {
-  std::vector<Pass> passes;
-  passes.reserve(plan.route.centers.size());
-  for (const scheduler::UavPlan& uav : plan.uavs) {
-    for (std::uint32_t i = uav.cells.first; i < end(uav.cells); ++i) passes.push_back({i, 0.0});
-  }
-  return passes;
-}
-
-CoverageFigures planned_coverage(const MissionRecord& record) {
-  const planner::Route& route = record.plan.route;
-  std::vector<std::uint32_t> times(route.centers.size());
-  for (const scheduler::UavPlan& uav : record.plan.uavs) {
-    for (std::uint32_t i = uav.cells.first; i < end(uav.cells); ++i) ++times[i];
-  }
-  const std::vector<double> shares = cell_shares(route);
-  double covered = 0, repeated = 0;
-  for (std::size_t i = 0; i < times.size(); ++i) {
-    covered += times[i] > 0 ? shares[i] : 0;
-    repeated += times[i] > 1 ? shares[i] * (times[i] - 1) : 0;
-  }
-  const double cells = sum(shares);
-  const double unrouted = static_cast<double>(route.missed.size());
-  const double cell_m2 = cell_area_m2(record);
-  return {.covered_m2 = covered * cell_m2,
-          .missed_m2 = (cells - covered + unrouted) * cell_m2,
-          .repeated_m2 = repeated * cell_m2,
-          .outside_m2 = 0,
-          .unrouted_m2 = unrouted * cell_m2,
-          .abandoned_m2 = (cells - covered) * cell_m2,
-          .uncertain_m2 = 0};
-}
-
-CoverageFigures flown_coverage(const MissionRecord& record, const Flown& flown,
-                               const FootprintFigures& wetted) {
-  std::vector<std::uint32_t> passes(flown.proofs.size());
-  for (const Pass& pass : flown.passes) ++passes[pass.cell];
-  const std::vector<double> shares = cell_shares(record.plan.route);
-  double covered = 0, repeated = 0, uncertain = 0;
-  for (std::size_t i = 0; i < passes.size(); ++i) {
-    const std::uint32_t times = std::max(passes[i], flown.proofs[i]);
-    covered += flown.proofs[i] > 0 ? shares[i] : 0;
-    repeated += times > 1 ? shares[i] * (times - 1) : 0;
-    uncertain += flown.proofs[i] == 0 && passes[i] > 0 ? shares[i] : 0;
-  }
-  const double cells = sum(shares);
-  const double unrouted = static_cast<double>(record.plan.route.missed.size());
-  // The scheduler gives their number only: cells of mean length.
-  const double mean = passes.empty() ? 1.0 : cells / static_cast<double>(passes.size());
-  const double abandoned = mean * (flown.last_word ? flown.last_word->abandoned_cells : 0);
-  const double cell_m2 = cell_area_m2(record);
-  return {.covered_m2 = covered * cell_m2,
-          .missed_m2 = (cells - covered + unrouted) * cell_m2,
-          .repeated_m2 = repeated * cell_m2,
-          .outside_m2 = wetted.outside_m2,
-          .unrouted_m2 = unrouted * cell_m2,
-          .abandoned_m2 = abandoned * cell_m2,
-          .uncertain_m2 = uncertain * cell_m2};
-}
-
-SurveyFigures planned_survey(const MissionRecord& record) {
-  SurveyFigures f{};
-  f.way_points = static_cast<std::uint32_t>(record.plan.route.centers.size());
-  for (const scheduler::UavPlan& uav : record.plan.uavs) f.visited += uav.cells.count;
-  return f;
-}
-
-SurveyFigures flown_survey(const Flown& flown) {
-  SurveyFigures f{};
-  f.way_points = static_cast<std::uint32_t>(flown.proofs.size());
-  std::vector<bool> is_passed(flown.proofs.size());
-  for (const Pass& pass : flown.passes) is_passed[pass.cell] = true;
-  for (std::size_t i = 0; i < is_passed.size(); ++i) {
-    f.visited += flown.proofs[i] > 0;
-    f.uncertain += flown.proofs[i] == 0 && is_passed[i];
-  }
-  return f;
 }
 
 Spread spread(const FlightRecord::Deviation& d) {
@@ -317,55 +203,6 @@ std::vector<StationFigures> station_figures(const MissionRecord& record, const F
   return stations;
 }
 
-// When an event of this kind first told of the node, at `from` or later.
-std::optional<double> told_s(const std::vector<Envelope>& log, std::string_view kind, NodeId of,
-                             Instant from = {}) {
-  const std::string who = text(of) + " ";
-  for (const Envelope& e : log) {
-    const auto* event = std::get_if<Event>(&e.body);
-    if (event == nullptr || event->kind != kind || e.sent < from) continue;
-    if (event->detail.starts_with(who)) return seconds(e.sent).base();
-  }
-  return std::nullopt;
-}
-
-// The event by which the scheduler says that it obeys; none where nobody orders anything.
-std::string_view obeyed(mission::Fault::Kind kind) {
-  switch (kind) {
-    case mission::Fault::Kind::pause: return "fleet_paused";
-    case mission::Fault::Kind::resume: return "fleet_resumed";
-    case mission::Fault::Kind::return_all: return "fleet_recalled";
-    case mission::Fault::Kind::stop: return "mission_stopped";
-    case mission::Fault::Kind::take_out: return "agent_taken_out";
-    default: return {};
-  }
-}
-
-std::optional<double> noticed_s(const mission::Fault& fault, const MissionRecord& record,
-                                const Flown& flown) {
-  using Kind = mission::Fault::Kind;
-  if (fault.kind == Kind::agent_join) return told_s(record.log, "agent_joined", fault.target);
-  if (fault.kind == Kind::bay_down) return told_s(record.log, "bay_down", fault.target);
-  if (const std::string_view event = obeyed(fault.kind); !event.empty()) {
-    return told_s(record.log, event, fault.target, fault.at);
-  }
-  const auto lost = flown.lost.find(AgentId{fault.target.number});
-  if (lost == flown.lost.end()) return std::nullopt;
-  return seconds(lost->second).base();
-}
-
-std::vector<FaultFigures> fault_figures(const MissionRecord& record, const Flown& flown) {
-  std::vector<FaultFigures> faults;
-  for (const mission::Fault& fault : record.scenario.faults) {
-    FaultFigures f{.at_s = seconds(fault.at).base(),
-                   .kind = name(fault.kind),
-                   .target = fault.target.number,
-                   .noticed_s = noticed_s(fault, record, flown)};
-    faults.push_back(std::move(f));
-  }
-  return faults;
-}
-
 SeparationFigures separation_figures(const MissionRecord& record, const Flown& flown) {
   std::vector<std::vector<TrackPoint>> tracks;
   tracks.reserve(flown.uavs.size());
@@ -384,15 +221,14 @@ SeparationFigures separation_figures(const MissionRecord& record, const Flown& f
 
 std::vector<UavFigures> uav_figures(const MissionRecord& record, const Flown& flown) {
   const bool is_flown = record.mode != Mode::plan;
-  const std::vector<double> shares = cell_shares(record.plan.route);
+  const std::vector<double> areas_m2 = share_areas_m2(record.plan);
   std::vector<UavFigures> all;
   all.reserve(record.plan.uavs.size());
   for (std::size_t i = 0; i < record.plan.uavs.size(); ++i) {
     const scheduler::UavPlan& uav = record.plan.uavs[i];
-    const std::span<const double> flown_shares{shares.data() + uav.cells.first, uav.cells.count};
-    const double area_m2 = sum(flown_shares) * cell_area_m2(record);
-    all.push_back(is_flown ? flown_figures(flown.uavs[i], uav, record.scenario.stations, area_m2)
-                           : planned_figures(record.plan.route, uav, area_m2));
+    all.push_back(is_flown
+                      ? flown_figures(flown.uavs[i], uav, record.scenario.stations, areas_m2[i])
+                      : planned_figures(record.plan.route, uav, areas_m2[i]));
     all.back().lost = is_flown && flown.lost.contains(uav.vehicle.id);
   }
   return all;

@@ -53,13 +53,7 @@ class Ways {
     const auto land = field_land(ground, settings_.margin, settings_.hole_buffer,
                                  settings_.avoidance->safety + metres(tracking_room_m));
     if (!land) return made;
-    for (LandPart part : land->flight) {
-      for (PointM& p : part.outer) p = p + land->origin;
-      for (RingM& hole : part.holes) {
-        for (PointM& p : hole) p = p + land->origin;
-      }
-      made.emplace_back(part);
-    }
+    for (const LandPart& part : moved(land->flight, land->origin)) made.emplace_back(part);
     return made;
   }
 
@@ -232,11 +226,6 @@ AvoidanceRecord record_of(const std::vector<StraightStrip>& strips, const Room& 
 }
 
 }  // namespace
-
-Field without_led_around(Field field, Length swath) {
-  std::erase_if(field.obstacles, [&](const Obstacle& o) { return is_led_around(o, swath); });
-  return field;
-}
 
 Expected<RowsAround, PlanError> rows_around(const Field& field, Length swath,
                                             const std::vector<SwathStrip>& rows,

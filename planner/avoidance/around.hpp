@@ -37,10 +37,6 @@ Expected<RowsAround, PlanError> rows_around(const Field& field, Length swath,
                                             const std::vector<SwathStrip>& rows,
                                             const SwathSettings& settings);
 
-/// `field` without the obstacles that rows are led around: what rows are laid on that run on past
-/// them.
-Field without_led_around(Field field, Length swath);
-
 /// `swath_coverage` with rows that run on past obstacles and are led around them. Each leg of a
 /// detour is a strip of its own that begins where the one before ends.
 ///

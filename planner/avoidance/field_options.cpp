@@ -51,7 +51,8 @@ double wrong_alone_m2(const std::vector<PassM>& passes, const CrowdOption& optio
     if (path.size() > 1) flown.push_back({std::move(path), half_m});
   };
   PathM path{pass.a};
-  if (option.conduct == Conduct::sprayed) {
+  const bool sprays = option.conduct == Conduct::sprayed;
+  if (sprays) {
     const double sample_m = sample_rad / std::abs(option.curve.bends.front().curvature_per_m);
     for (const PointM at : sampled(option.curve, sample_m)) append(path, at);
   } else {
@@ -67,7 +68,6 @@ double wrong_alone_m2(const std::vector<PassM>& passes, const CrowdOption& optio
   for (const std::size_t i : room.circles_near(pass.a, pass.b, 2 * pass.width_m)) {
     circles.push_back(room.circles()[i]);
   }
-  const bool sprays = option.conduct == Conduct::sprayed;
   const PointM middle = along(pass, (option.low_m + option.high_m) / 2);
   const auto rings = rings_near(room, middle, option.high_m - option.low_m + 2 * pass.width_m);
   return area_in(window, straight, circles, flown, rings).sum_m2() +

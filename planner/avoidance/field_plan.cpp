@@ -181,18 +181,15 @@ bool is_led_around(const Obstacle& obstacle, Length swath) {
   return obstacle.outline.empty() || obstacle.radius <= 2.0 * swath;
 }
 
+Field without_led_around(Field field, Length swath) {
+  std::erase_if(field.obstacles, [&](const Obstacle& o) { return is_led_around(o, swath); });
+  return field;
+}
+
 Expected<Room, PlanError> room_of(const Field& field, Length margin, Length hole_buffer,
                                   Length safety, Length swath) {
-  Field ground = field;
-  std::erase_if(ground.obstacles, [&](const Obstacle& o) { return is_led_around(o, swath); });
-  auto land = field_land(ground, margin, hole_buffer, safety);
+  auto land = field_land(without_led_around(field, swath), margin, hole_buffer, safety);
   if (!land) return Unexpected{land.error()};
-  for (LandPart& part : land->flight) {
-    for (PointM& p : part.outer) p = p + land->origin;
-    for (RingM& hole : part.holes) {
-      for (PointM& p : hole) p = p + land->origin;
-    }
-  }
   std::vector<CircleM> circles;
   std::vector<BarrierM> barriers;
   for (const Obstacle& o : field.obstacles) {
@@ -205,7 +202,8 @@ Expected<Room, PlanError> room_of(const Field& field, Length margin, Length hole
     for (const FieldPoint p : o.outline) barrier.ring.push_back(plane(p));
     barrier.clearance_m = safety.base();
   }
-  return Room{std::move(circles), std::move(barriers), land->flight};
+  return Room{std::move(circles), std::move(barriers),
+              moved(std::move(land->flight), land->origin)};
 }
 
 AvoidancePlan plan_avoidance(const std::vector<StraightStrip>& strips, const Room& room,

@@ -17,6 +17,10 @@ namespace furrow::planner {
 /// way around those is worth its length.
 bool is_led_around(const Obstacle& obstacle, Length swath);
 
+/// `field` without the obstacles that rows are led around: what rows are laid on that run on past
+/// them.
+Field without_led_around(Field field, Length swath);
+
 /// The room of a field: inside boundary, holes and large outlines, clear of what strips are led
 /// around.
 ///

@@ -43,9 +43,9 @@ double reach_m(const Crowd& crowd, const PassM& pass) {
 }
 
 // The pass and its neighbours as they would be planned, as far as a way around may spray.
-std::vector<PassM> with_neighbours(const PassM& pass, double reach_m) {
+std::vector<PassM> with_neighbours(const PassM& pass, double aside_m) {
   constexpr double most = 20;  // on each side
-  const double count = std::min(most, std::floor(reach_m / pass.width_m + 1));
+  const double count = std::min(most, std::floor(aside_m / pass.width_m + 1));
   const RowFrame frame = RowFrame::along(pass.b - pass.a);
   std::vector<PassM> all{pass};
   for (double i = 1; i <= count; ++i) {

@@ -8,20 +8,6 @@ namespace {
 
 constexpr double rounding_m = 1e-6;
 
-struct Box {
-  PointM low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
-  void take(PointM p) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-};
-
-Box box_of(const std::vector<PointM>& places) {
-  Box box;
-  for (const PointM p : places) box.take(p);
-  return box;
-}
-
 bool is_within(const RingM& ring, PointM p) {
   bool inside = false;
   for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
@@ -83,7 +69,7 @@ std::vector<std::size_t> Room::circles_near(PointM a, PointM b, double more_m) c
 
 std::vector<std::size_t> Room::entered(const PathM& path) const {
   if (path.empty() || circles_.empty()) return {};
-  const Box box = box_of(path);
+  const BoxM box = box_of(path);
   const PointM middle = 0.5 * (box.low + box.high);
   std::vector<std::size_t> met;
   for (const std::size_t i : circles_near(middle, middle, norm(box.high - box.low) / 2)) {
@@ -104,7 +90,7 @@ bool Room::is_inside(const PathM& path) const {
 }
 
 bool Room::is_clear_of(const BarrierM& barrier, const PathM& path) const {
-  const Box a = box_of(path), b = box_of(barrier.ring);
+  const BoxM a = box_of(path), b = box_of(barrier.ring);
   const double more_m = barrier.clearance_m;
   if (a.high.x + more_m < b.low.x || b.high.x + more_m < a.low.x || a.high.y + more_m < b.low.y ||
       b.high.y + more_m < a.low.y) {

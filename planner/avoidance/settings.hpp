@@ -18,11 +18,11 @@ constexpr Length planned_clearance(Length safety) {
 enum class AvoidanceMethod {
   genetic,  ///< Side or split for each crowd by genetic search, per pass and then for all.
   exact,    ///< The same by enumeration; genetic where a group of crowds is too large for it.
-  classic,  ///< Half circles on the left, the yardstick; neither clearance nor flyable.
+  classic,  ///< Half circles on the left, the yardstick; not flyable, of circles alone.
   split,    ///< The valve always closed on the way around.
 };
 
-/// How strips are led around round obstacles.
+/// How strips are led around obstacles.
 struct AvoidanceSettings {
   AvoidanceMethod method = AvoidanceMethod::genetic;
   Length safety{};     ///< From obstacles, >= 0.

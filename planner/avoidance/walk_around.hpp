@@ -8,15 +8,15 @@
 
 namespace furrow::planner {
 
-/// A walk of cells that is led around round obstacles.
+/// A walk of cells that is led around obstacles.
 struct WalkAround {
   Route route;
   std::vector<std::size_t> leaps;  ///< Strips to which no way leads yet from the strip before.
   RowsAround rows;
 };
 
-/// `coverage_route` over the cells of round obstacles too, each of which is flown around with the
-/// valve open or closed, whichever costs less; outlined obstacles are left out as cells.
+/// `coverage_route` over the cells of obstacles that are led around too (see `is_led_around`), with
+/// the valve open or closed, whichever costs less; larger outlines are left out as cells.
 ///
 /// Rows and the steps between them that meet no obstacle stay as they are, sprayed from centre to
 /// centre. Others become strips sprayed from end to end, a detour one for each of its legs. No

@@ -25,7 +25,7 @@ struct SweepFigures {
   std::optional<AvoidanceRecord> avoidance{};  ///< Where obstacles are flown around.
 };
 
-/// How `model` flies around round obstacles, if it does.
+/// How `model` flies around obstacles, if it does.
 const std::optional<AvoidanceSettings>& avoidance_of(const CoverageModel& model);
 
 /// What `model` keeps from obstacles.

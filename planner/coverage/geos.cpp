@@ -101,23 +101,6 @@ class Session {
 // now and then loses a row. A thousand of these steps are a tenth of a millimetre.
 constexpr double overlay_grid_m = 1e-7;
 
-struct Box {
-  PointM low, high;
-};
-
-Box box_of(const LandPart& part) {
-  Box made{{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
-  for (const PointM p : part.outer) {
-    made.low = {std::min(made.low.x, p.x), std::min(made.low.y, p.y)};
-    made.high = {std::max(made.high.x, p.x), std::max(made.high.y, p.y)};
-  }
-  return made;
-}
-
-bool overlap(const Box& a, const Box& b) {
-  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
-}
-
 }  // namespace
 
 std::optional<Defect> defect_in(const LandPart& part) {
@@ -159,14 +142,14 @@ LandParts united(const LandParts& parts) {
 }
 
 LandParts subtracted(const LandParts& land, const LandParts& taken) {
-  std::vector<Box> of_taken;
+  std::vector<BoxM> of_taken;
   of_taken.reserve(taken.size());
-  for (const LandPart& part : taken) of_taken.push_back(box_of(part));
+  for (const LandPart& part : taken) of_taken.push_back(box_of(part.outer));
   LandParts touched, made;
   for (const LandPart& part : land) {
-    const Box own = box_of(part);
+    const BoxM own = box_of(part.outer);
     const bool meets = std::any_of(of_taken.begin(), of_taken.end(),
-                                   [&](const Box& other) { return overlap(own, other); });
+                                   [&](const BoxM& other) { return overlap(own, other); });
     (meets ? touched : made).push_back(part);
   }
   if (touched.empty()) return made;

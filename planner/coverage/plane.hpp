@@ -83,6 +83,35 @@ inline double length_m(const PathM& path) {
   return sum;
 }
 
+/// From corner to corner, along both axes.
+struct BoxM {
+  PointM low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
+};
+
+inline BoxM box_of(const PathM& places) {
+  BoxM box;
+  for (const PointM p : places) {
+    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
+    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
+  }
+  return box;
+}
+
+inline bool overlap(const BoxM& a, const BoxM& b) {
+  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
+}
+
+/// All of it shifted.
+inline LandParts moved(LandParts parts, PointM by) {
+  for (LandPart& part : parts) {
+    for (PointM& p : part.outer) p = p + by;
+    for (RingM& hole : part.holes) {
+      for (PointM& p : hole) p = p + by;
+    }
+  }
+  return parts;
+}
+
 /// A frame turned so that rows lie along +x of it: `to` maps field to rows, `from` back.
 struct RowFrame {
   double cosine, sine;

@@ -98,17 +98,7 @@ std::vector<double> cell_lengths_m(const Route& route) {
   return lengths_m;
 }
 
-namespace {
-
-Length length(std::span<const FieldPoint> way) {
-  Length sum{};
-  for (std::size_t i = 1; i < way.size(); ++i) sum += distance(way[i - 1], way[i]);
-  return sum;
-}
-
-}  // namespace
-
-bool is_high(std::span<const FieldPoint> way) { return length(way) > longest_low_way; }
+bool is_high(std::span<const FieldPoint> way) { return way_length(way) > longest_low_way; }
 
 bool are_apart(const Piece& before, const Piece& after) {
   if (after.entry == after.exit) return false;
@@ -116,7 +106,7 @@ bool are_apart(const Piece& before, const Piece& after) {
   way.insert(way.end(), after.approach.begin(), after.approach.end());
   way.push_back(after.entry);
   constexpr Length beyond_neighbours = metres(10);
-  return length(way) > beyond_neighbours;
+  return way_length(way) > beyond_neighbours;
 }
 
 Length approach_length(const Strip& before, const Strip& strip) {

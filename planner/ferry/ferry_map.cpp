@@ -198,11 +198,7 @@ std::vector<FieldPoint> FerryMap::ferry_way(FieldPoint from, FieldPoint to,
 }
 
 Length FerryMap::ferry_length(FieldPoint from, FieldPoint to, const Vehicle& vehicle) const {
-  if (!hill_ways_) return length(from, to);
-  const std::vector<FieldPoint> way = hill_ways_->way(from, to, vehicle);
-  Length sum{};
-  for (std::size_t i = 1; i < way.size(); ++i) sum += distance(way[i - 1], way[i]);
-  return sum;
+  return hill_ways_ ? way_length(hill_ways_->way(from, to, vehicle)) : length(from, to);
 }
 
 Length FerryMap::length(FieldPoint from, FieldPoint to) const {

@@ -1,9 +1,9 @@
 #include "planner/ferry/hill_ways.hpp"
 
 #include "core/random.hpp"
+#include "planner/ferry/turns.hpp"
 #include "planner/routes/drawn.hpp"
 #include "planner/routes/route_cost.hpp"
-#include "planner/survey/turns.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -24,15 +24,9 @@ constexpr int most_moves = 3;               // of one point one way, of each len
 constexpr std::size_t most_points = 3;      // that a way leads past
 constexpr std::size_t most_ways = 200'000;  // kept
 
-double length_m(std::span<const FieldPoint> way) {
-  double sum_m = 0;
-  for (std::size_t i = 1; i < way.size(); ++i) sum_m += distance(way[i - 1], way[i]).base();
-  return sum_m;
-}
-
 // Straight from point to point.
 double chain_m(FieldPoint from, std::span<const FieldPoint> points, FieldPoint to) {
-  return distance(from, points.front()).base() + length_m(points) +
+  return distance(from, points.front()).base() + way_length(points).base() +
          distance(points.back(), to).base();
 }
 
@@ -187,7 +181,7 @@ bool HillWays::is_quick(std::size_t stand, FieldPoint to, const Vehicle& v) cons
   constexpr double rounding = 1 + 1e-9;
   const Places shortest = land_.way(stands_[stand], to);
   const RoundTrip trip = flown(shortest, v);
-  const double level_s = 2 * length_m(shortest) / v.ferry_speed.base();
+  const double level_s = 2 * way_length(shortest).base() / v.ferry_speed.base();
   return trip.over_m == 0 && trip.out_s + trip.back_s <= rounding * level_s;
 }
 

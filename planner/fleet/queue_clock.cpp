@@ -9,7 +9,8 @@ namespace furrow::planner::fleet {
 namespace {
 
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-constexpr std::size_t most_timed = 1 << 13;
+constexpr int timed_bits = 13;
+constexpr std::size_t most_timed = std::size_t{1} << timed_bits;
 constexpr double slack = 1e-9;  // of rounding, in a tank and a pack
 
 std::size_t hash(const Sortie& s, std::uint32_t from_depot) {
@@ -19,7 +20,7 @@ std::size_t hash(const Sortie& s, std::uint32_t from_depot) {
   mixed = (mixed ^ (mixed >> 32) ^ s.flier ^ (std::uint64_t{s.depot} << 20) ^
            (std::uint64_t{from_depot} << 40)) *
           factor;
-  return static_cast<std::size_t>(mixed >> 51);
+  return static_cast<std::size_t>(mixed >> (64 - timed_bits));
 }
 
 }  // namespace
@@ -81,6 +82,16 @@ double QueueClock::served_s(const Sortie& landed, const Sortie& next, double arr
   return bay;
 }
 
+void QueueClock::end(const Arrival& last, const Sortie& landed, Finish& finish) const {
+  const Flier& flier = problem_.fliers[last.flier];
+  const FieldPoint depot = problem_.depots[landed.depot].position;
+  const double home_s =
+      problem_.ends_sprayed ? problem_.path.back_m(depot, landed.to_m) / flier.ferry_mps : 0.0;
+  finish.makespan_s = std::max(finish.makespan_s, last.at_s - home_s);
+  finish.total_s += last.at_s;
+  finish.late_s += std::max(0.0, last.at_s - flier.until_s);
+}
+
 Finish QueueClock::finish(std::span<const Sortie> sorties) {
   link(sorties);
   const auto later = [](const Arrival& a, const Arrival& b) {
@@ -107,14 +118,8 @@ Finish QueueClock::finish(std::span<const Sortie> sorties) {
     std::pop_heap(arrivals_.begin(), arrivals_.end(), later);
     arrivals_.pop_back();
     const Sortie& landed = sorties[now.sortie];
-    const FieldPoint depot = problem_.depots[landed.depot].position;
     if (next_[now.sortie] == none) {
-      const double home_s = problem_.ends_sprayed ? problem_.path.back_m(depot, landed.to_m) /
-                                                        problem_.fliers[now.flier].ferry_mps
-                                                  : 0.0;
-      finish.makespan_s = std::max(finish.makespan_s, now.at_s - home_s);
-      finish.total_s += now.at_s;
-      finish.late_s += std::max(0.0, now.at_s - problem_.fliers[now.flier].until_s);
+      end(now, landed, finish);
       continue;
     }
     const Sortie& next = sorties[next_[now.sortie]];

@@ -21,7 +21,8 @@ struct Finish {
   bool is_carried = true;  ///< No flight takes more than a tank or a pack.
 };
 
-/// Whether a plan is to be preferred: fewer landings too late, then the makespan, then the total.
+/// Whether a plan is to be preferred: less time landed too late in all,
+/// then the makespan, then the total.
 bool is_better(const Finish& a, const Finish& b);
 
 /// Flies plans from time 0. Each depot serves first come first served, those who come at the same
@@ -51,6 +52,8 @@ class QueueClock {
   void link(std::span<const Sortie> sorties);
   double timed_s(const Sortie& sortie, std::uint32_t from_depot);
   double served_s(const Sortie& landed, const Sortie& next, double arrives_s);
+  /// Counts the landing of a flier that has no more to fly.
+  void end(const Arrival& last, const Sortie& landed, Finish& finish) const;
 
   const FleetProblem& problem_;
   std::vector<std::uint32_t> first_, next_;  ///< Sorties by aircraft, a linked list.

@@ -21,8 +21,8 @@ struct Judged {
 };
 
 /// What the makespan may grow by at first, as a share. Where the budget is too small for a plan of
-/// so many sorties to settle again, it is not unsettled; plans of more than a few sorties are far
-/// slower to settle than their number says.
+/// so many sorties to settle again, it is not unsettled; for cool searches plans of more than a few
+/// are far slower to settle than their number says.
 double heat(std::size_t sorties, const FleetSolveSettings& settings, std::uint64_t budget) {
   constexpr double most = 0.01, changes_each = 200.0, few = 16.0;
   const double n = static_cast<double>(sorties);
@@ -37,7 +37,8 @@ class Annealer {
       : problem_{problem}, settings_{settings}, clock_{problem}, random_{settings.seed} {}
 
   Judged judged(FleetSorties sorties) {
-    const Finish finish = flown(sorties);
+    ++evaluations_;
+    const Finish finish = clock_.finish(sorties);
     return {std::move(sorties), finish};
   }
   std::uint64_t evaluations() const { return evaluations_; }
@@ -69,10 +70,6 @@ class Annealer {
   }
 
  private:
-  Finish flown(const FleetSorties& sorties) {
-    ++evaluations_;
-    return clock_.finish(sorties);
-  }
   /// The makespan, with a slope where one aircraft alone decides it, and what landing late costs.
   double energy_s(const Finish& f) const {
     constexpr double each_late = 3.0;
@@ -109,23 +106,22 @@ std::vector<FleetSorties> equal_starts(const FleetProblem& problem) {
 }
 
 /// Each station's aircraft on their own stretch of the path, apart.
+/// @param settings  Without starts, which are of the whole path.
 std::optional<FleetSorties> solved_by_station(const FleetProblem& problem,
                                               const FleetSolveSettings& settings,
                                               std::uint64_t& evaluations) {
   const std::vector<StationPart> parts = by_station(problem);
+  if (parts.empty()) return std::nullopt;
+  FleetSolveSettings each = settings;
+  each.budget /= parts.size();
   std::vector<FleetSorties> sorties;
   sorties.reserve(parts.size());
   for (const StationPart& part : parts) {
-    auto solution = solved(part.problem, {.budget = settings.budget / parts.size(),
-                                          .seed = settings.seed,
-                                          .runs = settings.runs,
-                                          .is_cool = settings.is_cool,
-                                          .starts = {}});
+    auto solution = solved(part.problem, each);
     if (!solution) return std::nullopt;
     evaluations += solution->evaluations;
     sorties.push_back(std::move(solution->sorties));
   }
-  if (parts.empty()) return std::nullopt;
   return of_whole(problem, parts, sorties);
 }
 

@@ -13,7 +13,7 @@ struct FleetSolveSettings {
   std::uint64_t budget = 6'000'000;  ///< Sorties that the queue clock flies, about.
   std::uint64_t seed = 1;
   std::uint32_t runs = 3;              ///< Of annealing, from the best starts; >= 1.
-  bool is_cool = false;                ///< Does not unsettle what the budget may not settle again.
+  bool is_cool = false;                ///< Takes plans of many sorties to settle far slower.
   std::vector<FleetSorties> starts{};  ///< Begins with these too, where tank and pack carry them.
 };
 

@@ -72,10 +72,6 @@ class Dealer {
   std::vector<std::vector<double>> free_s_;
 };
 
-}  // namespace
-
-namespace {
-
 /// The furthest of what `is_carried` holds for, up to `to_m`; it holds near `from_m`, if anywhere.
 template <class Question>
 double furthest_m(double from_m, double to_m, Question is_carried) {

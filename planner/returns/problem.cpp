@@ -1,8 +1,8 @@
 #include "planner/returns/problem.hpp"
 
 #include "core/require.hpp"
+#include "planner/ferry/turns.hpp"
 #include "planner/returns/stops.hpp"
-#include "planner/survey/turns.hpp"
 
 #include <utility>
 
@@ -72,9 +72,8 @@ void follow_route(ReturnProblem& problem, const Route& route, const std::vector<
 }
 
 // Of a ferry over hills, with what turning takes of the pack.
-FlightCost ferry_cost(const FerryMap& ferries, FieldPoint from, FieldPoint to, const Vehicle& v) {
-  const std::vector<FieldPoint> way = ferries.ferry_way(from, to, v);
-  FlightCost cost = ferries.relief()->cost(from, ferries.relief()->ferry(way, v));
+FlightCost ferry_cost(const Relief& relief, std::span<const FieldPoint> way, const Vehicle& v) {
+  FlightCost cost = relief.cost(way.front(), relief.ferry(way, v));
   for (std::size_t i = 1; i + 1 < way.size(); ++i) {
     cost.energy_s += turn_loss_s(way[i - 1], way[i], way[i + 1], Corner::cut, v);
   }
@@ -90,10 +89,9 @@ void add_hills(ReturnProblem& problem, const Route& route, const std::vector<Cel
   follow_route(problem, route, stops, begin);
   HillFlights& hills = *problem.hills;
   const auto fly = [&](FieldPoint from, FieldPoint to, double& level_m) {
-    if (route.ferries.leads_past_hills()) {
-      level_m = route.ferries.ferry_length(from, to, v).base();
-    }
-    return ferry_cost(route.ferries, from, to, v);
+    const std::vector<FieldPoint> way = route.ferries.ferry_way(from, to, v);
+    if (route.ferries.leads_past_hills()) level_m = way_length(way).base();
+    return ferry_cost(*route.ferries.relief(), way, v);
   };
   const FieldPoint station = problem.station.position;
   for (std::size_t k = 0; k < stops.size(); ++k) {

@@ -6,7 +6,7 @@
 #include "core/vehicle.hpp"
 #include "core/work.hpp"
 #include "planner/coverage/route.hpp"
-#include "planner/routes/flight_cost.hpp"
+#include "planner/terrain/flight_cost.hpp"
 
 #include <cstdint>
 #include <optional>

@@ -9,7 +9,6 @@
 namespace furrow::planner {
 namespace {
 
-constexpr double turning_share = 0.9;  // of the acceleration, across in arcs
 constexpr double same_place_m = 1e-6;
 
 // A change of speed instead of a sudden one: nothing is lost where both are one.
@@ -18,16 +17,11 @@ double change_loss_s(double full_mps, double slow_mps, double acceleration) {
   return slower_mps * slower_mps / (2.0 * acceleration * full_mps);
 }
 
-// A leg between two speeds by its trapezoid, less the same at full speed.
+// A leg between two speeds, less the same at full speed.
 double leg_loss_s(double length_m, double full_mps, double from_mps, double to_mps,
                   double acceleration) {
   if (length_m <= 0.0) return 0.0;
-  const double squares = from_mps * from_mps + to_mps * to_mps;
-  const double reached_mps = std::sqrt(acceleration * length_m + 0.5 * squares);
-  const double peak_mps = std::max({std::min(full_mps, reached_mps), from_mps, to_mps});
-  const double ramps_m = (2.0 * peak_mps * peak_mps - squares) / (2.0 * acceleration);
-  return (2.0 * peak_mps - from_mps - to_mps) / acceleration +
-         std::max(0.0, length_m - ramps_m) / peak_mps - length_m / full_mps;
+  return leg_time_s(length_m, full_mps, from_mps, to_mps, acceleration) - length_m / full_mps;
 }
 
 struct Bend {
@@ -78,9 +72,7 @@ class Joint {
   Bend bend(std::size_t i) const {
     const FieldVector in = places_[i].at - places_[i - 1].at;
     const FieldVector out = places_[i + 1].at - places_[i].at;
-    const double along = (in.x * out.x + in.y * out.y).base();
-    const double across = (in.x * out.y - in.y * out.x).base();
-    const double angle_rad = std::abs(std::atan2(across, along));
+    const double angle_rad = turn_rad(in, out);
     const double full_mps = std::min(places_[i].full_mps, places_[i + 1].full_mps);
     if (angle_rad <= straight_rad && places_[i].corner != Corner::stop) return {full_mps, 0.0, 0.0};
     const double shorter_m = std::min(distance(places_[i - 1].at, places_[i].at),
@@ -89,7 +81,7 @@ class Joint {
     const auto [cut_m, radius_m] =
         corner_arc(places_[i].corner, angle_rad, shorter_m, cut_m_, min_radius_m_);
     if (radius_m == 0.0) return {0.0, 0.0, 0.0};
-    const double arc_mps = std::min(full_mps, std::sqrt(turning_share * acceleration_ * radius_m));
+    const double arc_mps = std::min(full_mps, arc_speed_mps(acceleration_, radius_m));
     return {arc_mps, radius_m * angle_rad / arc_mps - 2.0 * cut_m / full_mps, cut_m};
   }
 

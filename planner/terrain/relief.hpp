@@ -2,9 +2,9 @@
 // The ground under a mission, and how its aircraft keep their height over it.
 
 #include "core/vehicle.hpp"
-#include "planner/routes/flight_cost.hpp"
 #include "planner/routes/plan_route.hpp"
 #include "planner/routes/scene.hpp"
+#include "planner/terrain/flight_cost.hpp"
 #include "planner/terrain/terrain.hpp"
 
 #include <optional>

@@ -1,6 +1,7 @@
 #include "mission/located.hpp"
 #include "mission/fleet.hpp"
 #include "mission/load.hpp"
+#include "scheduler/plan_fleet.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -4,6 +4,7 @@
 #include "planner/coverage/swath/swath.hpp"
 #include "planner/returns/simple.hpp"
 #include "planner/returns/unplanned.hpp"
+#include "scheduler/fleet_ferries.hpp"
 #include "scheduler/forecast.hpp"
 #include "tests/scheduler/fixture.hpp"
 
@@ -366,6 +367,7 @@ TEST_CASE("plan_fleet: aircraft fly within the time that they are available for"
   const auto plan = plan_fleet(p);
   REQUIRE(plan);
   CHECK(plan->makespan_s > free->makespan_s);
+  CHECK(plan->lower_bound_s > 0);  // one that a plan refutes is forgotten
   CHECK(plan->lower_bound_s <= plan->makespan_s);
   CHECK(plan->uavs[1].spray_ends_s > half.base());
   // A twenty-fifth of its window is kept.

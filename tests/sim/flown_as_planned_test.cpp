@@ -1,6 +1,7 @@
 // The plan's forecast against the flight: whole missions, planned and simulated in this process.
 
 #include "mission/load.hpp"
+#include "scheduler/plan_fleet.hpp"
 #include "sim/checkers/laws.hpp"
 #include "tests/sim/whole_fleet.hpp"
 

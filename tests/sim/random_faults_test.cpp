@@ -2,6 +2,7 @@
 
 #include "core/random.hpp"
 #include "mission/load.hpp"
+#include "scheduler/plan_fleet.hpp"
 #include "sim/checkers/laws.hpp"
 #include "tests/sim/whole_fleet.hpp"
 

@@ -31,24 +31,11 @@ LandPart disc(const Obstacle& obstacle, PointM origin) {
   return made;
 }
 
-struct BoxM {
-  PointM low, high;
-};
-
-BoxM box_of(const LandPart& part) {
-  BoxM box{part.outer.front(), part.outer.front()};
-  for (const PointM p : part.outer) {
-    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
-    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
-  }
-  return box;
-}
-
 // Of each part, the first of those that it may meet, by their boxes.
 std::vector<std::size_t> neighbourhoods(const LandParts& parts) {
   std::vector<BoxM> boxes;
   boxes.reserve(parts.size());
-  for (const LandPart& part : parts) boxes.push_back(box_of(part));
+  for (const LandPart& part : parts) boxes.push_back(box_of(part.outer));
   std::vector<std::size_t> by_x(parts.size()), head(parts.size());
   std::iota(by_x.begin(), by_x.end(), std::size_t{0});
   std::iota(head.begin(), head.end(), std::size_t{0});
@@ -99,6 +86,25 @@ void drop_dust(LandParts& parts) {
   }
 }
 
+Expected<LandParts, PlanError> obstacle_parts(const std::vector<Obstacle>& obstacles,
+                                              PointM origin) {
+  LandParts made;
+  for (const Obstacle& obstacle : obstacles) {
+    if (!std::isfinite(obstacle.center.x.base()) || !std::isfinite(obstacle.center.y.base()) ||
+        !std::isfinite(obstacle.radius.base())) {
+      return Unexpected{invalid("obstacle " + obstacle.id, "is not finite")};
+    }
+    if (!obstacle.outline.empty()) {
+      const auto shape = mended(obstacle.outline, origin, "obstacle " + obstacle.id);
+      if (!shape) return Unexpected{shape.error()};
+      made.insert(made.end(), shape->parts.begin(), shape->parts.end());
+    } else if (obstacle.radius > Length{}) {
+      made.push_back(disc(obstacle, origin));
+    }
+  }
+  return made;
+}
+
 }  // namespace
 
 Expected<FieldLand, PlanError> field_land(const Field& field, Length margin, Length hole_buffer,
@@ -109,28 +115,17 @@ Expected<FieldLand, PlanError> field_land(const Field& field, Length margin, Len
   const auto boundary = mended(field.boundary, origin, "boundary");
   if (!boundary) return Unexpected{boundary.error()};
 
-  LandParts holes, obstacles;
+  LandParts holes;
   for (std::size_t i = 0; i < field.holes.size(); ++i) {
     const auto hole = mended(field.holes[i], origin, fmt::format("hole {}", i + 1));
     if (!hole) return Unexpected{hole.error()};
     holes.insert(holes.end(), hole->parts.begin(), hole->parts.end());
   }
-  for (const Obstacle& obstacle : field.obstacles) {
-    if (!std::isfinite(obstacle.center.x.base()) || !std::isfinite(obstacle.center.y.base()) ||
-        !std::isfinite(obstacle.radius.base())) {
-      return Unexpected{invalid("obstacle " + obstacle.id, "is not finite")};
-    }
-    if (!obstacle.outline.empty()) {
-      const auto shape = mended(obstacle.outline, origin, "obstacle " + obstacle.id);
-      if (!shape) return Unexpected{shape.error()};
-      obstacles.insert(obstacles.end(), shape->parts.begin(), shape->parts.end());
-    } else if (obstacle.radius > Length{}) {
-      obstacles.push_back(disc(obstacle, origin));
-    }
-  }
+  auto obstacles = obstacle_parts(field.obstacles, origin);
+  if (!obstacles) return Unexpected{obstacles.error()};
 
   FieldLand made{origin, boundary->parts, {}, {}};
-  const LandParts taken = joined(holes, obstacles);
+  const LandParts taken = joined(holes, *obstacles);
   if (!taken.empty()) made.land = subtracted(boundary->parts, taken);
   drop_dust(made.land);
   if (made.land.empty()) {
@@ -140,7 +135,7 @@ Expected<FieldLand, PlanError> field_land(const Field& field, Length margin, Len
   const Length from_holes = margin + hole_buffer, from_obstacles = std::max(from_holes, safety);
   made.taken = from_obstacles == from_holes ? grown(taken, from_holes)
                                             : joined(grown(joined(holes, {}), from_holes),
-                                                     grown(joined(obstacles, {}), from_obstacles));
+                                                     grown(joined(*obstacles, {}), from_obstacles));
   if (from_obstacles > margin) made.flight = subtracted(made.flight, made.taken);
   drop_dust(made.flight);
   if (made.flight.empty()) {

@@ -9,6 +9,7 @@ namespace furrow::planner {
 namespace {
 
 using Open = std::pair<double, std::size_t>;  // a length, and the corner that it leads to
+using Nearest = std::priority_queue<Open, std::vector<Open>, std::greater<>>;
 
 }  // namespace
 
@@ -107,7 +108,7 @@ InsidePaths::Fan InsidePaths::fan(PointM from) const {
            std::vector<double>(corners_.size(), INFINITY),
            std::vector<std::size_t>(corners_.size(), straight),
            {}};
-  std::priority_queue<Open, std::vector<Open>, std::greater<>> open;
+  Nearest open;
   const auto reach = [&](std::size_t corner, double length_m, std::size_t before) {
     if (length_m >= made.corner_m[corner]) return;
     made.corner_m[corner] = length_m;
@@ -146,12 +147,9 @@ std::optional<InsidePaths::Arrival> InsidePaths::past_within(const Fan& fan, Poi
       if (way_m < longest_m && bends_around(to, corners_[c])) open.emplace_back(way_m, c);
     }
   }
-  std::make_heap(open.begin(), open.end(), std::greater<>{});
-  while (!open.empty()) {
-    const auto [way_m, past] = open.front();
+  for (Nearest nearest{{}, std::move(open)}; !nearest.empty(); nearest.pop()) {
+    const auto [way_m, past] = nearest.top();
     if (grid_.sees(corners_[past].at, to)) return Arrival{way_m, past};
-    std::pop_heap(open.begin(), open.end(), std::greater<>{});
-    open.pop_back();
   }
   return std::nullopt;
 }
@@ -176,9 +174,14 @@ double InsidePaths::way_m(const Fan& fan, PointM to) const { return arrival(fan,
 std::optional<PathM> InsidePaths::way(const Fan& fan, PointM to) const {
   const Arrival last = arrival(fan, to);
   if (last.way_m == INFINITY) return std::nullopt;
+  return traced(fan.from, fan.before, last.past, to);
+}
+
+PathM InsidePaths::traced(PointM from, const std::vector<std::size_t>& before, std::size_t last,
+                          PointM to) const {
   PathM path{to};
-  for (std::size_t c = last.past; c != straight; c = fan.before[c]) path.push_back(corners_[c].at);
-  path.push_back(fan.from);
+  for (std::size_t c = last; c != straight; c = before[c]) path.push_back(corners_[c].at);
+  path.push_back(from);
   std::reverse(path.begin(), path.end());
   return path;
 }
@@ -239,14 +242,12 @@ std::optional<PathM> InsidePaths::shortest(PointM a, PointM b) const {
 }
 
 std::optional<PathM> InsidePaths::search(PointM a, PointM b, double longest_m) const {
-  const std::size_t none = corners_.size();
   std::vector<double> reached_m(corners_.size(), INFINITY);
-  std::vector<std::size_t> came_from(corners_.size(), none);
+  std::vector<std::size_t> came_from(corners_.size(), straight);
   std::vector<bool> settled(corners_.size(), false);
-  std::priority_queue<Open, std::vector<Open>, std::greater<>> open;  // least length through here
-  std::vector<Open> seen_first;  // the same of straight ways, not yet looked at; a heap
+  Nearest open;  // least length through here
   double goal_m = INFINITY;
-  std::size_t goal_from = none;
+  std::size_t goal_from = straight;
 
   const auto reach = [&](std::size_t corner, double length_m, std::size_t from) {
     const double through_m = length_m + norm(b - corners_[corner].at);
@@ -255,21 +256,21 @@ std::optional<PathM> InsidePaths::search(PointM a, PointM b, double longest_m) c
     came_from[corner] = from;
     open.push({through_m, corner});
   };
+  std::vector<Open> first_seen;
   for (std::size_t c = 0; c < corners_.size(); ++c) {
     const double first_m = norm(corners_[c].at - a);
     if (first_m + norm(b - corners_[c].at) > longest_m || !bends_around(a, corners_[c])) continue;
-    seen_first.emplace_back(first_m + norm(b - corners_[c].at), c);
+    first_seen.emplace_back(first_m + norm(b - corners_[c].at), c);
   }
-  std::make_heap(seen_first.begin(), seen_first.end(), std::greater<>{});
+  Nearest unseen{{}, std::move(first_seen)};  // the same of straight ways, not yet looked at
   const auto look = [&] {
-    std::pop_heap(seen_first.begin(), seen_first.end(), std::greater<>{});
-    const std::size_t c = seen_first.back().second;
-    seen_first.pop_back();
-    if (grid_.sees(a, corners_[c].at)) reach(c, norm(corners_[c].at - a), none);
+    const std::size_t c = unseen.top().second;
+    unseen.pop();
+    if (grid_.sees(a, corners_[c].at)) reach(c, norm(corners_[c].at - a), straight);
   };
-  while (!open.empty() || !seen_first.empty()) {
-    if (open.empty() || (!seen_first.empty() && seen_first.front() <= open.top())) {
-      if (seen_first.front().first >= goal_m) break;
+  while (!open.empty() || !unseen.empty()) {
+    if (open.empty() || (!unseen.empty() && unseen.top() <= open.top())) {
+      if (unseen.top().first >= goal_m) break;
       look();
       continue;
     }
@@ -290,12 +291,8 @@ std::optional<PathM> InsidePaths::search(PointM a, PointM b, double longest_m) c
       if (!settled[link.to]) reach(link.to, here_m + link.length_m, corner);
     }
   }
-  if (goal_from == none) return std::nullopt;
-  PathM path{b};
-  for (std::size_t c = goal_from; c != none; c = came_from[c]) path.push_back(corners_[c].at);
-  path.push_back(a);
-  std::reverse(path.begin(), path.end());
-  return path;
+  if (goal_from == straight) return std::nullopt;
+  return traced(a, came_from, goal_from, b);
 }
 
 }  // namespace furrow::planner

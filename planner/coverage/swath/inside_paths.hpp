@@ -75,6 +75,9 @@ class InsidePaths {
   bool may_bend_to(const Corner& here, const RingCorners& ring) const;
   Arrival arrival(const Fan& fan, PointM to) const;
   Arrival nearest_past(const Fan& fan, PointM to, Arrival known) const;
+  /// From `from` past the corners that lead to `last`.
+  PathM traced(PointM from, const std::vector<std::size_t>& before, std::size_t last,
+               PointM to) const;
   std::optional<Arrival> past_within(const Fan& fan, PointM to, double longest_m) const;
   bool is_clear(PointM apex, PointM a, PointM b) const;
   void fill(const Fan& fan, std::span<const PointM> line, Arrival first, Arrival last,

@@ -1,4 +1,4 @@
-#include "planner/survey/turns.hpp"
+#include "planner/ferry/turns.hpp"
 
 #include <catch2/catch.hpp>
 
