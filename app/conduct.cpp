@@ -137,6 +137,10 @@ Expected<mission::Scenario, Exit> load(const Options& options) {
   return std::move(*scenario);
 }
 
+void tell(const planner::PlanError& error, const mission::Scenario& scenario) {
+  fmt::print(stderr, "{}\n", mission::text(mission::located(error, scenario)));
+}
+
 int conduct(const Options& options, Mode mode, const Fly& fly) {
   auto scenario = load(options);
   if (!scenario) return scenario.error();
@@ -147,7 +151,7 @@ int conduct(const Options& options, Mode mode, const Fly& fly) {
     return scheduler::plan_fleet(mission::fleet_problem(*scenario));
   }();
   if (!plan) {
-    fmt::print(stderr, "{}\n", mission::text(mission::located(plan.error(), *scenario)));
+    tell(plan.error(), *scenario);
     return Exit::bad_input;
   }
   const double planned_s = wall_s();

@@ -50,6 +50,9 @@ std::string results_folder(const Options& options, const mission::Scenario& scen
 /// @return  The scenario with the seed asked for, or the exit code.
 Expected<mission::Scenario, Exit> load(const Options& options);
 
+/// Says on stderr why there is no plan.
+void tell(const planner::PlanError& error, const mission::Scenario& scenario);
+
 /// An interrupt while the plan is made lets it end first and is then obeyed: the results hold the
 /// plan and are partial. A second one ends the process there and then, with nothing written.
 ///

@@ -142,7 +142,8 @@ void add_commands(CLI::App& app, Options& options, Words& words, Action& chosen)
     added.callback([&chosen, action] { chosen = action; });
     return added;
   };
-  add_scenario(command("check", "Say every error of a scenario", check), options);
+  add_scenario(command("check", "Say every error of a scenario, or why it has no plan", check),
+               options);
   CLI::App& planned = command("plan", "Plan only", plan);
   add_scenario(planned, options);
   add_results(planned, options);

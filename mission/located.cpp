@@ -25,6 +25,8 @@ std::string rule_of(PlanFault fault) {
     case PlanFault::margin_too_wide: return "must leave land to fly over";
     case PlanFault::too_many_rows: return "must cut the field into fewer rows";
     case PlanFault::window_too_short: return "must leave the fleet time for all of the field";
+    case PlanFault::kept_out: return "must leave the field, stations and starts free";
+    case PlanFault::ceiling_too_low: return "must let ferries over the ground on their way";
   }
   return "must allow a plan";
 }
@@ -39,6 +41,15 @@ std::string stand_key(const PlanError& error, const Scenario& s) {
     if (is_there(s.uavs[i].home)) return s.source.uavs[i] + ".start_m";
   }
   return "supply";
+}
+
+// The volume around that axis.
+std::string volume_key(const PlanError& error, const Scenario& s) {
+  const auto& volumes = s.terrain->keep_out;
+  const auto found = std::find_if(volumes.begin(), volumes.end(), [&](const planner::KeepOut& v) {
+    return error.at == at_m(v.x_m, v.y_m);
+  });
+  return fmt::format("terrain.keep_out[{}].center_m", found - volumes.begin());
 }
 
 // Of the first aircraft whose window ends.
@@ -64,6 +75,8 @@ std::string key_of(const PlanError& error, const Scenario& s) {
                                           : ".spray_endurance_s");
     case PlanFault::margin_too_wide: return "field.coverage.margin_m";
     case PlanFault::window_too_short: return window_key(s);
+    case PlanFault::kept_out: return volume_key(error, s);
+    case PlanFault::ceiling_too_low: return "terrain.ceiling_m";
     case PlanFault::nothing_to_spray:
     case PlanFault::swaths_differ:
     case PlanFault::too_many_rows: return s.source.uavs.front() + ".swath_m";

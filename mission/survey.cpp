@@ -8,6 +8,7 @@
 namespace furrow::mission {
 namespace {
 
+constexpr std::uint32_t most_evaluations = 10'000'000;  // for each of them
 constexpr std::size_t most_way_points = 500;
 
 std::vector<FieldPoint> read_way_points(const Section& survey, const Field& field) {
@@ -34,7 +35,7 @@ std::optional<planner::SurveySettings> read_survey(const Section& root, Scenario
   const Section s = root.section("survey");
   planner::SurveySettings survey{.way_points = read_way_points(s, scenario.field),
                                  .height = metres(s.number("height_m", above_to(0, 1000), 30)),
-                                 .search = *read_search(s, {})};
+                                 .search = *read_search(s, {}, most_evaluations)};
   if (!root.has("survey")) return std::nullopt;
   if (survey.way_points.empty()) {
     s.fail("way_points", "must hold at least one way point");

@@ -9,6 +9,7 @@ namespace furrow::mission {
 namespace {
 
 constexpr planner::RouteSettings ferry_search{.evaluations = 1000};
+constexpr std::uint32_t most_evaluations = 100'000;  // for each of some hundred places
 constexpr std::size_t most_peaks = 1'000, most_volumes = 1'000;
 
 std::vector<planner::Peak> read_peaks(const Section& terrain) {
@@ -120,7 +121,7 @@ std::optional<planner::TerrainModel> read_terrain(const Section& s, const Scenar
       .ground = planner::AnalyticTerrain{},
       .rule = read_heights_kept(s),
       .keep_out = read_keep_out(s),
-      .ferries = read_search(s.section("ferries"), ferry_search, "shortest")};
+      .ferries = read_search(s.section("ferries"), ferry_search, most_evaluations, "shortest")};
   if (raster) {
     model.ground = std::move(*raster);
   } else {

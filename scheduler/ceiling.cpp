@@ -22,7 +22,7 @@ class Ceiling {
     }
     if (highest_m <= most_m_) return std::nullopt;
     return planner::PlanError{
-        planner::PlanFault::out_of_reach,
+        planner::PlanFault::ceiling_too_low,
         fmt::format("no ferry from ({:.3f}, {:.3f}) to ({:.3f}, {:.3f}) m was found below the "
                     "ceiling of {:.1f} m; the best flies at {:.1f} m",
                     from.x.base(), from.y.base(), to.x.base(), to.y.base(), most_m_, highest_m),

@@ -11,7 +11,7 @@ namespace furrow::scheduler {
 /// The first ferry that flies above the ceiling of the terrain in the highest layer, of all those
 /// between each aircraft's cells and any station, and from its home. Nothing where there is no
 /// ceiling or all ferries are below it.
-/// @return  out_of_reach.
+/// @return  ceiling_too_low.
 std::optional<planner::PlanError> ceiling_fault(const FleetPlan& plan,
                                                 std::span<const Station> stations);
 

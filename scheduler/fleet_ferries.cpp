@@ -9,8 +9,10 @@ namespace {
 using planner::PlanError;
 using planner::PlanFault;
 
+FieldPoint axis_of(const planner::KeepOut& volume) { return at_m(volume.x_m, volume.y_m); }
+
 bool is_over(const planner::KeepOut& volume, const Ring& boundary) {
-  const FieldPoint axis = at_m(volume.x_m, volume.y_m);
+  const FieldPoint axis = axis_of(volume);
   return contains(boundary, axis) || edge_distance(boundary, axis).base() < volume.radius_m;
 }
 
@@ -26,23 +28,47 @@ Extent flown_over(const Field& field, const std::vector<FieldPoint>& stands) {
   return all;
 }
 
-std::optional<PlanError> terrain_fault(const planner::Relief& relief, const Ring& boundary,
-                                       bool is_survey, bool is_searched) {
-  for (const planner::KeepOut& volume : relief.keep_out()) {
-    if (is_survey || !is_over(volume, boundary)) continue;
-    return PlanError{PlanFault::out_of_reach,
-                     fmt::format("the keep-out volume at ({:.3f}, {:.3f}) m reaches over the field",
-                                 volume.x_m, volume.y_m)};
-  }
-  const auto ceiling = relief.rule().ceiling;
-  if (is_searched) return std::nullopt;  // ferries lead around what is too high, or see below
-  if (ceiling && relief.highest_ferry_m() > ceiling->base()) {
-    return PlanError{PlanFault::out_of_reach,
-                     fmt::format("ferries need {:.1f} m over the highest ground, the ceiling is "
-                                 "{:.1f} m",
-                                 relief.highest_ferry_m(), ceiling->base())};
+PlanError kept_out(const planner::KeepOut& volume, const std::string& how) {
+  const FieldPoint axis = axis_of(volume);
+  return {PlanFault::kept_out,
+          fmt::format("the keep-out volume at ({:.3f}, {:.3f}) m {}", axis.x.base(), axis.y.base(),
+                      how),
+          axis};
+}
+
+// As an obstacle in plan.
+Obstacle obstacle(const planner::KeepOut& volume, const planner::FerryRule& rule) {
+  return {.id = "keep-out",
+          .center = axis_of(volume),
+          .radius = metres(volume.radius_m) + std::max(Length{}, rule.corner_cut - rule.safety)};
+}
+
+std::optional<PlanError> keep_out_fault(const planner::KeepOut& volume,
+                                        const planner::FerryRule& rule, const Ring& boundary,
+                                        bool is_survey, const std::vector<FieldPoint>& stands) {
+  if (!is_survey && is_over(volume, boundary)) return kept_out(volume, "reaches over the field");
+  const Length kept = std::max(rule.safety, rule.margin + rule.hole_buffer);
+  const Length radius = obstacle(volume, rule).radius;
+  for (const FieldPoint stand : stands) {
+    const Length away = distance(stand, axis_of(volume)) - radius;
+    if (away >= kept) continue;
+    const auto place =
+        fmt::format("({:.3f}, {:.3f}) m, where aircraft stand", stand.x.base(), stand.y.base());
+    return kept_out(volume, away <= Length{}
+                                ? "reaches over " + place
+                                : fmt::format("is {:.3f} m from {}; ferries keep {:.3f} m",
+                                              away.base(), place, kept.base()));
   }
   return std::nullopt;
+}
+
+std::optional<PlanError> ceiling_fault(const planner::Relief& relief) {
+  const auto ceiling = relief.rule().ceiling;
+  if (!ceiling || relief.highest_ferry_m() <= ceiling->base()) return std::nullopt;
+  return PlanError{PlanFault::ceiling_too_low,
+                   fmt::format("ferries need {:.1f} m over the highest ground, the ceiling is "
+                               "{:.1f} m",
+                               relief.highest_ferry_m(), ceiling->base())};
 }
 
 }  // namespace
@@ -65,15 +91,15 @@ Expected<planner::FerryMap, PlanError> ferry_map(const FleetProblem& problem) {
   for (const Vehicle& vehicle : whole_fleet(problem)) add(vehicle.home);
   if (!problem.terrain) return planner::FerryMap::over(field, rule, stands);
   const planner::Relief relief{*problem.terrain, flown_over(field, stands)};
-  if (auto fault = terrain_fault(relief, field.boundary, problem.survey.has_value(),
-                                 problem.terrain->ferries.has_value())) {
-    return Unexpected{std::move(*fault)};
+  for (const std::size_t i : relief.in_the_way()) {
+    const planner::KeepOut& volume = relief.keep_out()[i];
+    auto fault = keep_out_fault(volume, rule, field.boundary, problem.survey.has_value(), stands);
+    if (fault) return Unexpected{std::move(*fault)};
+    field.obstacles.push_back(obstacle(volume, rule));
   }
-  for (const planner::KeepOut& volume : relief.keep_out()) {
-    field.obstacles.push_back(
-        {.id = "keep-out",
-         .center = at_m(volume.x_m, volume.y_m),
-         .radius = metres(volume.radius_m) + std::max(Length{}, rule.corner_cut - rule.safety)});
+  // Ferries that are searched lead around what is too high; those of the plan are judged by it.
+  if (!problem.terrain->ferries) {
+    if (auto fault = ceiling_fault(relief)) return Unexpected{std::move(*fault)};
   }
   auto map = planner::FerryMap::over(field, rule, stands);
   if (!map) return map;

@@ -159,6 +159,19 @@ double Relief::highest_ferry_m() const {
   return highest_m + kept.base();
 }
 
+std::vector<std::size_t> Relief::in_the_way() const {
+  const std::vector<float>& heights = surface_.raster().heights_m;
+  const double lowest_m =
+      *std::min_element(heights.begin(), heights.end()) + rule_.spray_height.base();
+  const double highest_m =
+      std::min(highest_ferry_m(), rule_.ceiling.value_or(metres(INFINITY)).base());
+  std::vector<std::size_t> indices;
+  for (std::size_t i = 0; i < keep_out_.size(); ++i) {
+    if (keep_out_[i].bottom_m <= highest_m && keep_out_[i].top_m >= lowest_m) indices.push_back(i);
+  }
+  return indices;
+}
+
 Length Relief::layer_of(AgentId agent) const {
   return static_cast<double>((number(agent) - 1) % rule_.layers) * rule_.layer;
 }

@@ -30,7 +30,7 @@ struct HeightRule {
 struct TerrainModel {
   Terrain ground;
   HeightRule rule{};
-  std::vector<KeepOut> keep_out{};  ///< No ferry enters them.
+  std::vector<KeepOut> keep_out{};  ///< No aircraft enters them.
   /// How ferries look for ways past hills; none: theirs are the shortest in plan.
   std::optional<RouteSettings> ferries{};
 };
@@ -94,6 +94,10 @@ class Relief {
 
   /// The highest that any ferry flies.
   double highest_ferry_m() const;
+
+  /// The keep-out volumes that ferries can come into: those that reach below the highest ferry, or
+  /// the ceiling, and above the lowest aircraft at work. Indices of `keep_out`.
+  std::vector<std::size_t> in_the_way() const;
 
   /// The ferry height of an aircraft above that of the lowest layer.
   Length layer_of(AgentId agent) const;

@@ -14,7 +14,7 @@ class Deaths(Furrow):
         process = self.started("run", self.garden, "--speed", 60, "--out", self.out("run"))
         agents = lambda: [pid for pid, line in processes_in(self.garden).items()
                           if "furrow-agents" in line[0]]
-        self.assertTrue(eventually(lambda: len(agents()) == 2, 20))
+        self.assertTrue(eventually(lambda: len(agents()) == 2, 60))
         time.sleep(3)
         os.kill(agents()[0], signal.SIGKILL)
         code, errors = self.ended(process)
@@ -28,7 +28,7 @@ class Deaths(Furrow):
         process = self.started("run", self.garden, "--speed", 60, "--out", self.out("run"))
         scheduler = lambda: [pid for pid, line in processes_in(self.garden).items()
                              if "furrow-scheduler" in line[0]]
-        self.assertTrue(eventually(scheduler, 20))
+        self.assertTrue(eventually(scheduler, 60))
         time.sleep(3)
         os.kill(scheduler()[0], signal.SIGKILL)
         code, errors = self.ended(process)
@@ -39,7 +39,7 @@ class Deaths(Furrow):
     def test_an_interrupt_keeps_results_and_leaves_nothing_behind(self):
         before = set(os.listdir("/dev/shm"))
         process = self.started("run", self.garden, "--speed", 30, "--out", self.out("run"))
-        self.assertTrue(eventually(lambda: len(processes_in(self.garden)) == 5, 20))
+        self.assertTrue(eventually(lambda: len(processes_in(self.garden)) == 5, 60))
         time.sleep(3)
         process.send_signal(signal.SIGINT)
         code, errors = self.ended(process)
@@ -52,7 +52,7 @@ class Deaths(Furrow):
     def test_an_interrupt_before_the_start_ends_quietly_with_the_plan(self):
         process = self.started("run", self.garden, "--speed", 0.01, "--out", self.out("run"),
                                start_new_session=True)
-        self.assertTrue(eventually(lambda: len(processes_in(self.garden)) > 1, 20))
+        self.assertTrue(eventually(lambda: len(processes_in(self.garden)) > 1, 60))
         os.killpg(process.pid, signal.SIGINT)  # as a terminal does: to the children, too
         code, errors = self.ended(process)
         self.assertEqual(code, 1, errors)
@@ -86,7 +86,7 @@ class Deaths(Furrow):
 
     def test_when_the_director_is_killed_every_process_ends(self):
         process = self.started("run", self.garden, "--speed", 30, "--out", self.out("run"))
-        self.assertTrue(eventually(lambda: len(processes_in(self.garden)) == 5, 20))
+        self.assertTrue(eventually(lambda: len(processes_in(self.garden)) == 5, 60))
         time.sleep(1)
         process.kill()
         process.wait()

@@ -37,9 +37,10 @@ class Input(Furrow):
 
     def test_a_field_that_no_aircraft_reaches_is_explained(self):
         far = self.scenario(GARDEN.read_text().replace("[30, -5]", "[30, -5000]"))
-        done = furrow("plan", far, "--out", self.out("none"))
-        self.assertEqual(done.returncode, 2)
-        self.assertIn("reach", done.stderr)
+        for command in (("plan", far, "--out", self.out("none")), ("check", far)):
+            done = furrow(*command)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn("reach", done.stderr)
         self.assertFalse(self.out("none").exists())
 
     def test_a_missing_file_or_a_wrong_option_ends_with_2(self):

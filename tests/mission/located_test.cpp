@@ -77,5 +77,25 @@ TEST_CASE("located: rows that are all too short are a fault of the fleet's swath
         "at least 1000 m fits)");
 }
 
+TEST_CASE("located: a keep-out volume over a station is a fault of the volume's line",
+          "[mission]") {
+  CHECK_THAT(no_plan({{1,
+                       "version: 1\nterrain:\n  base: {a: 1, b: 1, c: 1}\n  keep_out:\n"
+                       "    - {center_m: [-90,0], radius_m: 5}\n"
+                       "    - {center_m: [0,-9], radius_m: 5}"}}),
+             Catch::StartsWith("a.yaml:6: terrain.keep_out[1].center_m: must leave the field, "
+                               "stations and starts free (got the keep-out volume at (0.000, "
+                               "-9.000) m reaches over (0.000, -5.000) m"));
+}
+
+TEST_CASE("located: a ceiling too low for ferries is a fault of its line", "[mission]") {
+  CHECK_THAT(no_plan({{1,
+                       "version: 1\nterrain:\n  peaks: [{top_m: [50,25], height_m: 40, "
+                       "extent_east_m: 50, extent_north_m: 50}]\n  ceiling_m: 45\n"
+                       "  ferries: {planner: shortest}"}}),
+             Catch::StartsWith("a.yaml:4: terrain.ceiling_m: must let ferries over the ground on "
+                               "their way (got ferries need 5"));
+}
+
 }  // namespace
 }  // namespace furrow::mission

@@ -325,12 +325,14 @@ TEST_CASE("plan fleet: a ceiling under the ferries and a volume over the field a
   p.terrain->rule.ceiling = metres(50);  // 40 m of hill and 15 m of clearance
   const auto low = plan_fleet(p);
   REQUIRE(!low);
-  CHECK(low.error().fault == PlanFault::out_of_reach);
+  CHECK(low.error().fault == PlanFault::ceiling_too_low);
   p.terrain->rule.ceiling = metres(60);
   CHECK(plan_fleet(p));
   p.terrain->keep_out = {{.x_m = 65, .y_m = 100, .radius_m = 6}};
   const auto kept_out = plan_fleet(p);
   REQUIRE(!kept_out);
+  CHECK(kept_out.error().fault == PlanFault::kept_out);
+  CHECK(kept_out.error().at == at_m(65, 100));
   CHECK(kept_out.error().detail ==
         "the keep-out volume at (65.000, 100.000) m reaches over the field");
 }
@@ -354,6 +356,35 @@ TEST_CASE("plan fleet: ferries lead around a keep-out volume between station and
     length_m += distance(way[i - 1], way[i]).base();
   }
   CHECK(length_m > 130);
+}
+
+TEST_CASE("plan fleet: a keep-out volume over a station is named with what ferries keep of it",
+          "[scheduler]") {
+  FleetProblem p = problem(200, 100, 1);
+  p.stations[0].position = p.vehicles[0].home = at_m(100, -80);
+  p.terrain = hill(at_m(5000, 5000), 40);
+  p.terrain->keep_out = {{.x_m = 100, .y_m = -60, .radius_m = 20}};
+  const auto map = ferry_map(p);
+  REQUIRE(!map);
+  CHECK(map.error().fault == PlanFault::kept_out);
+  CHECK(map.error().at == at_m(100, -60));
+  CHECK_THAT(map.error().detail, Catch::StartsWith("the keep-out volume at (100.000, -60.000) m "
+                                                   "reaches over (100.000, -80.000) m"));
+}
+
+TEST_CASE("plan fleet: keep-out volumes above all ferries and below work are no matter",
+          "[scheduler]") {
+  FleetProblem p = problem(200, 100, 1);
+  p.terrain = hill(at_m(5000, 5000), 40);  // level here, at 0 m; ferries keep 15 m, work 3 m
+  const auto planned = [&](double bottom_m, double top_m) {
+    p.terrain->keep_out = {
+        {.x_m = 100, .y_m = 50, .radius_m = 20, .bottom_m = bottom_m, .top_m = top_m}};
+    return ferry_map(p).has_value();
+  };
+  CHECK(planned(-10, 2.9));
+  CHECK_FALSE(planned(-10, 3.1));
+  CHECK(planned(200, 300));
+  CHECK_FALSE(planned(14, 300));
 }
 
 TEST_CASE("plan_fleet: aircraft fly within the time that they are available for", "[scheduler]") {
