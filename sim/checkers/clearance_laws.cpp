@@ -100,8 +100,8 @@ class ClearanceLaws final : public Checker {
   void tell(AgentId agent, const Obstacle& obstacle, Length away, Length kept, Instant at) {
     if (!told_.insert({agent, obstacle.id}).second) return;
     report("L22", at,
-           fmt::format("UAV {} was {:.2f} m from obstacle {}, less than {:.2f} m",
-                       static_cast<std::uint32_t>(agent), away.base(), obstacle.id, kept.base()));
+           fmt::format("UAV {} was {:.2f} m from obstacle {}, less than {:.2f} m", number(agent),
+                       away.base(), obstacle.id, kept.base()));
   }
 
   std::vector<Standing> obstacles_;

@@ -17,11 +17,6 @@ constexpr double round_off = 1e-6;    // share of a pack or tank that sums of ti
 constexpr double tank_debt_m = 2e-3;  // a tank filled to the very metre may be off by rounding
 constexpr double heartbeat_s = 1.1;   // what is known of an aircraft may be so old
 
-bool is_airborne(Phase phase) {
-  return phase == Phase::fly_out || phase == Phase::spray || phase == Phase::hold ||
-         phase == Phase::fly_back;
-}
-
 // Time for a straight way at ferry speed, as far as the mean wind lets an aircraft fly it.
 double way_s(const Vehicle& vehicle, const Wind& wind, FieldPoint from, FieldPoint to) {
   const double length_m = distance(from, to).base();

@@ -13,8 +13,10 @@
 //          L10 a bay is not held by the dead for longer than its lease and a grace
 //          L11 first come first served
 //          L12 each refill counted once, stock never negative
-// Clear    L22 flown tracks keep nine tenths of the safety distance from obstacles that are flown
-//              around, by the plan or once they appear, less the bias of the aircraft's fixes
+// Clear    L22 flown tracks keep nine tenths of the safety distance from every obstacle, as soon as
+//              it is there, less the bias of the aircraft's fixes and four times what their
+//              standard deviation is above that of an RTK; what comes up nearer than an aircraft
+//              can stop is excused until it is clear of it
 //          L23 over terrain, flown tracks are never more than 1 m below work height; and on ways
 //              from and to stations never more than 1 m below the clearance and the aircraft's
 //              layer above it, but near their ends, where they climb out and come down, nor above
@@ -52,6 +54,12 @@ struct Facts {
   std::vector<Surprise> surprises{};
   std::optional<Length> separation{};  ///< None: L24 is not judged.
 };
+
+/// Whether an aircraft is off the ground in that phase.
+constexpr bool is_airborne(Phase phase) {
+  return phase == Phase::fly_out || phase == Phase::spray || phase == Phase::hold ||
+         phase == Phase::fly_back;
+}
 
 /// One group of laws. `observe` takes every envelope in the log's order.
 class Checker {

@@ -1,7 +1,6 @@
 #include "sim/checkers/laws.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <fmt/format.h>
 #include <map>
 #include <optional>

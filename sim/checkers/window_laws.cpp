@@ -7,11 +7,6 @@
 namespace furrow::sim {
 namespace {
 
-bool is_airborne(Phase phase) {
-  return phase == Phase::fly_out || phase == Phase::spray || phase == Phase::hold ||
-         phase == Phase::fly_back;
-}
-
 class WindowLaws final : public Checker {
  public:
   explicit WindowLaws(const Facts& facts) {
