@@ -45,8 +45,7 @@ void settle(const Section& s, const std::string& file, Scenario& out) {
 
 void compare_with_stated(const Section& s, const std::string& file, const Scenario& out) {
   constexpr double same = 1e-3;
-  Area land = area(out.field.boundary);
-  for (const Ring& hole : out.field.holes) land -= area(hole);
+  const Area land = area(out.field);
   const double off = land / *out.stated_area - 1;
   if (std::abs(off) <= same) return;
   const auto both_units = [](Area a) {

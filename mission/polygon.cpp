@@ -105,6 +105,12 @@ Area area(const Ring& ring) {
   return square_metres(std::abs(twice_m2) / 2);
 }
 
+Area area(const Field& field) {
+  Area left = area(field.boundary);
+  for (const Ring& hole : field.holes) left -= area(hole);
+  return left;
+}
+
 std::optional<std::string> ring_fault(const Ring& ring) {
   for (std::size_t i = 0; i < ring.size(); ++i) {
     if (ring[i] == ring[(i + 1) % ring.size()]) {

@@ -17,7 +17,11 @@ bool is_inside(FieldPoint p, const Ring& ring);
 /// Distance to the nearest point of the ring's inside or edge.
 Length distance(FieldPoint p, const Ring& ring);
 
+/// Inside `ring`, whatever its orientation.
 Area area(const Ring& ring);
+
+/// Inside the boundary and outside the holes.
+Area area(const Field& field);
 
 /// "(40, 700)": east and north in metres.
 std::string text(FieldPoint p);

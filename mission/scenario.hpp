@@ -13,6 +13,8 @@
 #include "planner/survey/survey.hpp"
 #include "planner/terrain/relief.hpp"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -38,6 +40,11 @@ struct Fault {
   NodeId target;          ///< An agent, the station of the bay, or the scheduler, who takes orders.
   std::uint32_t bay = 0;  ///< 0: all of the station.
 };
+
+/// As scenarios and results call them.
+inline constexpr std::array fault_names{"agent_kill", "agent_join", "bay_down", "pause",
+                                        "resume",     "return_all", "stop",     "take_out"};
+constexpr const char* name(Fault::Kind kind) { return fault_names[static_cast<std::size_t>(kind)]; }
 
 /// A figure of the result and where it must lie.
 struct Expectation {

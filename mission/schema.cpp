@@ -292,8 +292,7 @@ void read_faults(const Section& root, Draft& draft) {
   for (const auto& s : root.list("faults", 0, most_entries)) {
     const auto at = s.number("at_s", from_to(0, 10'000'000));
     const auto kind =
-        static_cast<Fault::Kind>(s.choice("kind", {"agent_kill", "agent_join", "bay_down", "pause",
-                                                   "resume", "return_all", "stop", "take_out"}));
+        static_cast<Fault::Kind>(s.choice("kind", {fault_names.begin(), fault_names.end()}));
     Fault fault{.at = instant(seconds(at)), .kind = kind, .target = read_target(s, kind)};
     const auto bay = s.optional_whole("bay", 1, 100, "all");
     fault.bay = static_cast<std::uint32_t>(bay.value_or(0));

@@ -1,14 +1,39 @@
 #include "app/results/expectations.hpp"
 
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
+#include <optional>
+#include <string_view>
 
 namespace furrow::app {
 namespace {
 
-std::string_view last_part(std::string_view path) { return path.substr(path.rfind('.') + 1); }
+struct Figure {
+  std::string_view key;
+  std::optional<double> value;
+};
 
-std::string required(const ExpectationFigures& e) {
+// What a scenario can expect.
+std::array<Figure, 15> figures(const Result& r) {
+  return {{{"completed", r.completed ? 1.0 : 0.0},
+           {"covered_m2", r.coverage.covered_m2},
+           {"missed_m2", r.coverage.missed_m2},
+           {"repeated_m2", r.coverage.repeated_m2},
+           {"outside_m2", r.coverage.outside_m2},
+           {"makespan_s", r.fleet.makespan_s},
+           {"gap", r.fleet.gap},
+           {"non_spray_s", r.fleet.non_spray_s},
+           {"queue_wait_s", r.fleet.queue_wait_s},
+           {"route_m", r.fleet.route_m},
+           {"ferry_m", r.fleet.ferry_m},
+           {"flown_outside_m", r.fleet.flown_outside_m},
+           {"outside_at_work_m", r.fleet.outside_at_work_m},
+           {"cross_track_rms_m", r.deviation.truth.rms_m},
+           {"encounters", r.separation.encounters}}};
+}
+
+std::string required(const mission::Expectation& e) {
   if (e.min && e.max && *e.min == *e.max) return fmt::format("{}", *e.min);
   if (e.min && e.max) return fmt::format("{} to {}", *e.min, *e.max);
   if (e.min) return fmt::format("at least {}", *e.min);
@@ -16,95 +41,31 @@ std::string required(const ExpectationFigures& e) {
   return "anything";
 }
 
-}  // namespace
-
-std::vector<std::pair<std::string, double>> figures(const Result& r) {
-  const double all_uavs = static_cast<double>(r.uavs.size());
-  std::vector<std::pair<std::string, double>> all{
-      {"completed", r.completed ? 1 : 0},
-      {"partial", r.partial ? 1 : 0},
-      {"field.area_m2", r.field.area_m2},
-      {"field.strips", r.field.strips},
-      {"field.strip_length_m", r.field.strip_length_m},
-      {"field.cells", r.field.cells},
-      {"coverage.covered_m2", r.coverage.covered_m2},
-      {"coverage.missed_m2", r.coverage.missed_m2},
-      {"coverage.repeated_m2", r.coverage.repeated_m2},
-      {"coverage.outside_m2", r.coverage.outside_m2},
-      {"coverage.unrouted_m2", r.coverage.unrouted_m2},
-      {"coverage.abandoned_m2", r.coverage.abandoned_m2},
-      {"coverage.uncertain_m2", r.coverage.uncertain_m2},
-      {"footprint.wetted_m2", r.footprint.wetted_m2},
-      {"footprint.footprint_missed_m2", r.footprint.missed_m2},
-      {"footprint.footprint_overlap_m2", r.footprint.overlap_m2},
-      {"footprint.footprint_outside_m2", r.footprint.outside_m2},
-      {"fleet.makespan_s", r.fleet.makespan_s},
-      {"fleet.planned_makespan_s", r.fleet.planned_makespan_s},
-      {"fleet.lower_bound_s", r.fleet.lower_bound_s},
-      {"fleet.spray_s", r.fleet.spray_s},
-      {"fleet.non_spray_s", r.fleet.non_spray_s},
-      {"fleet.queue_wait_s", r.fleet.queue_wait_s},
-      {"fleet.route_m", r.fleet.route_m},
-      {"fleet.ferry_m", r.fleet.ferry_m},
-      {"fleet.flown_outside_m", r.fleet.flown_outside_m},
-      {"fleet.outside_at_work_m", r.fleet.outside_at_work_m},
-      {"fleet.rate_l_ha", r.fleet.rate_l_ha},
-      {"fleet.sprayed_l", r.fleet.sprayed_l},
-      {"fleet.repeated_l", r.fleet.repeated_l},
-      {"fleet.outside_l", r.fleet.outside_l},
-      {"fleet.uavs", all_uavs},
-      {"solver.return_points", r.solver.return_points},
-      {"solver.round_trips_m", r.solver.round_trips_m},
-      {"solver.swaps", r.solver.swaps},
-      {"solver.non_spray_s", r.solver.non_spray_s},
-      {"solver.lower_bound_s", r.solver.lower_bound_s},
-      {"solver.evaluations", static_cast<double>(r.solver.evaluations)},
-      {"deviation.rms_m", r.deviation.truth.rms_m},
-      {"deviation.max_m", r.deviation.truth.max_m},
-      {"deviation.cross_track_rms_m", r.deviation.truth.rms_m},
-      {"deviation.truth.rms_m", r.deviation.truth.rms_m},
-      {"deviation.truth.max_m", r.deviation.truth.max_m},
-      {"deviation.fix.rms_m", r.deviation.fix.rms_m},
-      {"deviation.fix.max_m", r.deviation.fix.max_m},
-      {"separation.encounters", r.separation.encounters},
-      {"separation.near_s", r.separation.near_s},
-      {"laws.violations", static_cast<double>(r.violations.size())},
-      {"log.messages", static_cast<double>(r.log.messages)},
-  };
-  if (r.survey) {
-    all.emplace_back("survey.way_points", r.survey->way_points);
-    all.emplace_back("survey.visited", r.survey->visited);
-    all.emplace_back("survey.uncertain", r.survey->uncertain);
+ExpectationFigures judged(const mission::Expectation& e, std::optional<double> value) {
+  ExpectationFigures verdict{
+      .key = e.key, .met = false, .value = value, .min = e.min, .max = e.max, .message = {}};
+  if (!value) {
+    verdict.message = fmt::format("{}: this result has no such figure", e.key);
+    return verdict;
   }
-  if (r.fleet.gap) all.emplace_back("fleet.gap", *r.fleet.gap);
-  if (r.solver.gap) all.emplace_back("solver.gap", *r.solver.gap);
-  return all;
+  verdict.met = (!e.min || *value >= *e.min) && (!e.max || *value <= *e.max);
+  if (!verdict.met) {
+    verdict.message = fmt::format("{} is {}, expected {}", e.key, *value, required(e));
+  }
+  return verdict;
 }
+
+}  // namespace
 
 std::vector<ExpectationFigures> judged(const std::vector<mission::Expectation>& expectations,
                                        const Result& result) {
   const auto known = figures(result);
   std::vector<ExpectationFigures> verdicts;
+  verdicts.reserve(expectations.size());
   for (const mission::Expectation& e : expectations) {
-    auto found = std::find_if(known.begin(), known.end(),
-                              [&](const auto& figure) { return figure.first == e.key; });
-    if (found == known.end()) {
-      found = std::find_if(known.begin(), known.end(),
-                           [&](const auto& figure) { return last_part(figure.first) == e.key; });
-    }
-    ExpectationFigures verdict{
-        .key = e.key, .met = false, .value = {}, .min = e.min, .max = e.max, .message = {}};
-    if (found == known.end()) {
-      verdict.message = fmt::format("{}: the result has no such figure", e.key);
-    } else {
-      verdict.value = found->second;
-      verdict.met = (!e.min || found->second >= *e.min) && (!e.max || found->second <= *e.max);
-      if (!verdict.met) {
-        verdict.message =
-            fmt::format("{} is {}, expected {}", e.key, found->second, required(verdict));
-      }
-    }
-    verdicts.push_back(std::move(verdict));
+    const auto found = std::find_if(known.begin(), known.end(),
+                                    [&](const Figure& figure) { return figure.key == e.key; });
+    verdicts.push_back(judged(e, found == known.end() ? std::nullopt : found->value));
   }
   return verdicts;
 }

@@ -2,18 +2,12 @@
 
 #include "app/results/result.hpp"
 
-#include <string>
-#include <utility>
 #include <vector>
 
 namespace furrow::app {
 
-/// Every single figure of a result by its path in result.json ("coverage.missed_m2"), in the file's
-/// order; "completed" is 0 or 1, "laws.violations" a count.
-std::vector<std::pair<std::string, double>> figures(const Result& result);
-
-/// Judges each expectation against the figures. A key is a figure's path, or its last part where
-/// the first figure of that name is meant. Bounds count as inside.
+/// Judges each expectation against the figure of that name. Bounds count as inside; a figure that
+/// the mission does not have, as the gap of one that is not completed, meets nothing.
 std::vector<ExpectationFigures> judged(const std::vector<mission::Expectation>& expectations,
                                        const Result& result);
 

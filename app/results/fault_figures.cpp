@@ -7,20 +7,6 @@
 namespace furrow::app {
 namespace {
 
-const char* name(mission::Fault::Kind kind) {
-  switch (kind) {
-    case mission::Fault::Kind::agent_kill: return "agent_kill";
-    case mission::Fault::Kind::agent_join: return "agent_join";
-    case mission::Fault::Kind::bay_down: return "bay_down";
-    case mission::Fault::Kind::pause: return "pause";
-    case mission::Fault::Kind::resume: return "resume";
-    case mission::Fault::Kind::return_all: return "return_all";
-    case mission::Fault::Kind::stop: return "stop";
-    case mission::Fault::Kind::take_out: return "take_out";
-  }
-  return "unknown";
-}
-
 // When an event of this kind first told of the node, at `from` or later.
 std::optional<double> told_s(const std::vector<Envelope>& log, std::string_view kind, NodeId of,
                              Instant from = {}) {
@@ -49,7 +35,7 @@ std::optional<double> noticed_s(const mission::Fault& fault, const MissionRecord
                                 const Flown& flown) {
   using Kind = mission::Fault::Kind;
   if (fault.kind == Kind::agent_join) return told_s(record.log, "agent_joined", fault.target);
-  if (fault.kind == Kind::bay_down) return told_s(record.log, "bay_down", fault.target);
+  if (fault.kind == Kind::bay_down) return told_s(record.log, "bay_down", fault.target, fault.at);
   if (const std::string_view event = obeyed(fault.kind); !event.empty()) {
     return told_s(record.log, event, fault.target, fault.at);
   }
@@ -64,7 +50,7 @@ std::vector<FaultFigures> fault_figures(const MissionRecord& record, const Flown
   std::vector<FaultFigures> faults;
   for (const mission::Fault& fault : record.scenario.faults) {
     FaultFigures f{.at_s = seconds(fault.at).base(),
-                   .kind = name(fault.kind),
+                   .kind = mission::name(fault.kind),
                    .target = fault.target.number,
                    .noticed_s = noticed_s(fault, record, flown)};
     faults.push_back(std::move(f));

@@ -1,7 +1,5 @@
 #include "app/results/footprint.hpp"
 
-#include "app/results/land.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -69,6 +67,12 @@ std::vector<Interval> without(const std::vector<Interval>& from,
   return left;
 }
 
+bool is_on_land(const Field& field, FieldPoint p) {
+  return contains(field.boundary, p) &&
+         std::none_of(field.holes.begin(), field.holes.end(),
+                      [&](const Ring& hole) { return contains(hole, p); });
+}
+
 double sampled_outside_m(const Field& field, const StripFrame& frame, double along_m, Interval part,
                          double step_m) {
   const double width_m = part.to_m - part.from_m;
@@ -76,7 +80,7 @@ double sampled_outside_m(const Field& field, const StripFrame& frame, double alo
   double outside_m = 0;
   for (double i = 0; i < count; ++i) {
     const double across_m = part.from_m + (i + 0.5) * width_m / count;
-    if (!contains(field, frame.at(along_m, across_m))) outside_m += width_m / count;
+    if (!is_on_land(field, frame.at(along_m, across_m))) outside_m += width_m / count;
   }
   return outside_m;
 }

@@ -1,7 +1,6 @@
 #include "app/results/plan_geojson.hpp"
 
 #include "app/exports/missions_json.hpp"
-
 #include "app/results/rounding.hpp"
 
 #include <cmath>

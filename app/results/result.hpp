@@ -19,10 +19,12 @@ struct FieldFigures {
   std::uint32_t cells;  ///< Workable cells, those that the route leaves out included.
 };
 
-/// The ledger's view, in whole cells. Covered and missed together are all workable cells.
+/// On a grid the ledger's view, in whole cells: covered and missed together are all workable cells.
+/// On a swept field the true areas of all that the booms wetted, but for the last two. Forecasts
+/// when only planned.
 struct CoverageFigures {
-  double covered_m2;    ///< Proven sprayed by a closed grant; planned when only planned.
-  double missed_m2;     ///< All other workable cells.
+  double covered_m2;    ///< On a grid proven by a closed grant.
+  double missed_m2;     ///< Workable land left dry.
   double repeated_m2;   ///< Sprayed more than once, each extra pass counted.
   double outside_m2;    ///< Sprayed outside the boundary or inside a hole.
   double unrouted_m2;   ///< Part of missed: left out by the route.
@@ -48,9 +50,9 @@ struct FleetFigures {
   std::string bound;          ///< What holds the fleet up by that bound; empty if nothing is known.
   std::optional<double> gap;  ///< makespan / lower bound - 1, of completed missions with a bound.
   double spray_s, non_spray_s, queue_wait_s;
-  double route_m;  ///< At work: strips and the connections between them, sortie by sortie.
-  double ferry_m;
-  double flown_outside_m;    ///< Over no land, holes and obstacles included, on all ways.
+  double route_m;          ///< At work: strips and the connections between them, sortie by sortie.
+  double ferry_m;          ///< On all other ways: from and to stations.
+  double flown_outside_m;  ///< Over no land, holes and obstacles included, on all ways.
   double outside_at_work_m;  ///< The part of it that is not on the ways from and to stations.
   double rate_l_ha;          ///< Application rate: the mean over the shares' areas.
   double sprayed_l;   ///< On all ground wetted, each time: rate times footprint, as the next two.
@@ -61,7 +63,7 @@ struct FleetFigures {
 struct SortieFigures {
   FieldPoint start, returned;
   double spray_m;
-  double round_trip_m;  ///< Twice the way home; 0 after the last sortie, which is no return.
+  double round_trip_m;  ///< Ferry ways home and on to the next sortie; 0 after the last sortie.
   double flight_s;
   std::uint32_t pack;
   double battery_used;
@@ -151,7 +153,7 @@ struct FaultFigures {
 struct ExpectationFigures {
   std::string key;
   bool met;
-  std::optional<double> value;  ///< None for a key that names no figure.
+  std::optional<double> value;  ///< None where the result has no such figure.
   std::optional<double> min, max;
   std::string message;  ///< Why it is missed; empty when met.
 };

@@ -27,8 +27,24 @@ FieldPoint position_of(StationId id, std::span<const Station> stations) {
   return station == stations.end() ? FieldPoint{} : station->position;
 }
 
-FieldPoint start_of(const planner::Route& route, std::uint32_t cell) {
+FieldPoint stop_of(const planner::Route& route, std::uint32_t cell) {
+  return planner::stop_point(route, route.strips[planner::strip_of(route, cell)], cell);
+}
+
+// Where a sortie begins after cell `index` of the share; 0: with it.
+FieldPoint planned_start(const planner::Route& route, const scheduler::UavPlan& uav,
+                         std::uint32_t index) {
+  const std::uint32_t cell = uav.cells.first + index;
+  if (index > 0) return planner::resume_point(route, cell);
   return planner::start_point(route, route.strips[planner::strip_of(route, cell)], cell);
+}
+
+double round_trip_m(const planner::Route& route, const Vehicle& vehicle, FieldPoint from,
+                    FieldPoint station, FieldPoint to) {
+  const auto ferry_m = [&](FieldPoint at) {
+    return route.ferries.ferry_length(at, station, vehicle).base();
+  };
+  return ferry_m(from) + ferry_m(to);
 }
 
 }  // namespace
@@ -42,16 +58,9 @@ std::vector<SortieFigures> planned_sorties(const planner::Route& route,
     const planner::PlannedSortie& s = sorties[k];
     const scheduler::Visit* visit = k < uav.visits.size() ? &uav.visits[k] : nullptr;
     const double landed_s = visit ? visit->arrives_s : uav.lands_s;
-    const auto starts_after = [&](std::uint32_t index) {
-      const std::uint32_t cell = uav.cells.first + index;
-      return index == 0 ? start_of(route, cell) : planner::resume_point(route, cell);
-    };
-    const std::uint32_t last = uav.cells.first + s.last;
-    const FieldPoint returned =
-        planner::stop_point(route, route.strips[planner::strip_of(route, last)], last);
     SortieFigures f{};
-    f.start = starts_after(s.first);
-    f.returned = returned;
+    f.start = planned_start(route, uav, s.first);
+    f.returned = stop_of(route, uav.cells.first + s.last);
     f.spray_m = s.spray_m;
     f.flight_s = s.fly_out_s + s.spray_s + s.fly_back_s;
     f.pack = s.pack;
@@ -62,10 +71,8 @@ std::vector<SortieFigures> planned_sorties(const planner::Route& route,
     f.landed_s = landed_s;
     if (visit) {
       const Station& station = scheduler::landing(uav, k);
-      const auto ferry_m = [&](FieldPoint at) {
-        return route.ferries.ferry_length(at, station.position, uav.vehicle).base();
-      };
-      f.round_trip_m = ferry_m(returned) + ferry_m(starts_after(s.last));
+      f.round_trip_m = round_trip_m(route, uav.vehicle, f.returned, station.position,
+                                    planned_start(route, uav, s.last));
       f.battery_swap_s = s.battery_swap_s;
       f.fill_s = s.fill_s;
       f.fill = k + 1 < sorties.size() ? sorties[k + 1].spray_m / tank_range(uav.vehicle).base() : 0;
@@ -80,11 +87,13 @@ std::vector<SortieFigures> planned_sorties(const planner::Route& route,
   return figures;
 }
 
-std::vector<SortieFigures> flown_sorties(const FlownUav& flown, const scheduler::UavPlan& uav,
+std::vector<SortieFigures> flown_sorties(const FlownUav& flown, const planner::Route& route,
+                                         const scheduler::UavPlan& uav,
                                          std::span<const Station> stations) {
   std::vector<SortieFigures> figures;
   FieldPoint from = uav.vehicle.home;
-  for (const SortieReport& s : flown.sorties) {
+  for (std::size_t k = 0; k < flown.sorties.size(); ++k) {
+    const SortieReport& s = flown.sorties[k];
     SortieFigures f{};
     f.start = s.resumed_at;
     f.returned = s.returned_at;
@@ -98,7 +107,9 @@ std::vector<SortieFigures> flown_sorties(const FlownUav& flown, const scheduler:
     f.landed_s = at_s(s.landed);
     if (s.serviced) {
       from = position_of(s.station, stations);
-      f.round_trip_m = 2 * distance(s.returned_at, from).base();
+      const bool is_last = k + 1 == flown.sorties.size();
+      const FieldPoint next = is_last ? s.returned_at : flown.sorties[k + 1].resumed_at;
+      f.round_trip_m = round_trip_m(route, uav.vehicle, s.returned_at, from, next);
       f.battery_swap_s = s.swapped ? s.swap_time.base() : 0;
       f.fill_s = s.fill_time.base();
       f.fill = s.filled;

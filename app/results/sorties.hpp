@@ -13,7 +13,8 @@ std::vector<SortieFigures> planned_sorties(const planner::Route& route,
                                            const scheduler::UavPlan& uav);
 
 /// The sorties that an aircraft reported.
-std::vector<SortieFigures> flown_sorties(const FlownUav& flown, const scheduler::UavPlan& uav,
+std::vector<SortieFigures> flown_sorties(const FlownUav& flown, const planner::Route& route,
+                                         const scheduler::UavPlan& uav,
                                          std::span<const Station> stations);
 
 /// Time of the returns among `sorties`: ways home and out again, waits and services [s].

@@ -5,12 +5,12 @@
 #include "app/results/expectations.hpp"
 #include "app/results/fault_figures.hpp"
 #include "app/results/footprint.hpp"
-#include "app/results/land.hpp"
 #include "app/results/solver_figures.hpp"
 #include "app/results/sorties.hpp"
 #include "app/results/sweep_coverage.hpp"
 #include "app/results/warnings.hpp"
 #include "app/results/ways.hpp"
+#include "mission/polygon.hpp"
 #include "scheduler/shared_air.hpp"
 #include "sim/checkers/separation.hpp"
 
@@ -32,7 +32,7 @@ FieldFigures field_figures(const MissionRecord& record) {
     strips += !s.joins;
   }
   const std::optional<Area> stated = record.scenario.stated_area;
-  return {.area_m2 = area(record.scenario.field).base(),
+  return {.area_m2 = mission::area(record.scenario.field).base(),
           .stated_area_m2 = stated ? std::optional{stated->base()} : std::nullopt,
           .strips = strips,
           .strip_length_m = strips_m,
@@ -94,7 +94,6 @@ UavFigures planned_figures(const planner::Route& route, const scheduler::UavPlan
   f.sorties = planned_sorties(route, uav);
   for (const planner::PlannedSortie& s : uav.solution.plan.sorties) {
     f.spray_s += s.spray_m / uav.vehicle.spray_speed.base();
-    f.ferry_m += ((s.fly_out_s + s.fly_back_s) * uav.vehicle.ferry_speed.base());
   }
   for (const SortieFigures& s : f.sorties) f.queue_wait_s += s.wait_s;
   f.non_spray_s = uav.solution.plan.non_spray_s + f.queue_wait_s;
@@ -103,11 +102,11 @@ UavFigures planned_figures(const planner::Route& route, const scheduler::UavPlan
   return f;
 }
 
-UavFigures flown_figures(const FlownUav& flown, const scheduler::UavPlan& uav,
-                         std::span<const Station> stations, double area_m2) {
+UavFigures flown_figures(const FlownUav& flown, const planner::Route& route,
+                         const scheduler::UavPlan& uav, std::span<const Station> stations,
+                         double area_m2) {
   UavFigures f = common_figures(uav, area_m2);
-  f.sorties = flown_sorties(flown, uav, stations);
-  for (const SortieReport& s : flown.sorties) f.ferry_m += s.ferried.base();
+  f.sorties = flown_sorties(flown, route, uav, stations);
   for (const SortieFigures& s : f.sorties) f.queue_wait_s += s.wait_s;
   f.spray_s = open_valve_s(flown.track);
   f.non_spray_s = non_spray_s(f.sorties);
@@ -140,7 +139,8 @@ void add_litres(FleetFigures& f, const FootprintFigures& wetted) {
   f.outside_l = l_m2 * wetted.outside_m2;
 }
 
-FleetFigures fleet_figures(const MissionRecord& record, const Flown& flown, const Result& result) {
+FleetFigures fleet_figures(const MissionRecord& record, const Flown& flown, const Result& result,
+                           const MissionWays& ways) {
   FleetFigures f{};
   const bool is_flown = record.mode != Mode::plan;
   f.makespan_s = is_flown ? flown.last_spray_s : record.plan.makespan_s;
@@ -158,8 +158,6 @@ FleetFigures fleet_figures(const MissionRecord& record, const Flown& flown, cons
     f.queue_wait_s += uav.queue_wait_s;
     f.ferry_m += uav.ferry_m;
   }
-  const MissionWays ways =
-      is_flown ? flown_ways(flown, result.survey.has_value()) : planned_ways(record);
   f.route_m = length_m(ways.at_work);
   f.flown_outside_m = outside_m(record, ways.whole);
   f.outside_at_work_m = outside_m(record, ways.at_work);
@@ -219,16 +217,32 @@ SeparationFigures separation_figures(const MissionRecord& record, const Flown& f
   return f;
 }
 
-std::vector<UavFigures> uav_figures(const MissionRecord& record, const Flown& flown) {
+// By aircraft.
+std::vector<MissionWays> ways_of(const MissionRecord& record, const Flown& flown) {
+  const planner::Route& route = record.plan.route;
+  const bool is_survey = planner::is_survey(route);
+  std::vector<MissionWays> all;
+  all.reserve(record.plan.uavs.size());
+  for (std::size_t i = 0; i < record.plan.uavs.size(); ++i) {
+    all.push_back(record.mode == Mode::plan ? planned_ways(route, record.plan.uavs[i])
+                                            : flown_ways(flown.uavs[i], is_survey));
+  }
+  return all;
+}
+
+std::vector<UavFigures> uav_figures(const MissionRecord& record, const Flown& flown,
+                                    const std::vector<MissionWays>& ways) {
   const bool is_flown = record.mode != Mode::plan;
+  const planner::Route& route = record.plan.route;
   const std::vector<double> areas_m2 = share_areas_m2(record.plan);
   std::vector<UavFigures> all;
   all.reserve(record.plan.uavs.size());
   for (std::size_t i = 0; i < record.plan.uavs.size(); ++i) {
     const scheduler::UavPlan& uav = record.plan.uavs[i];
-    all.push_back(is_flown
-                      ? flown_figures(flown.uavs[i], uav, record.scenario.stations, areas_m2[i])
-                      : planned_figures(record.plan.route, uav, areas_m2[i]));
+    all.push_back(
+        is_flown ? flown_figures(flown.uavs[i], route, uav, record.scenario.stations, areas_m2[i])
+                 : planned_figures(route, uav, areas_m2[i]));
+    all.back().ferry_m = ferry_m(ways[i]);
     all.back().lost = is_flown && flown.lost.contains(uav.vehicle.id);
   }
   return all;
@@ -240,22 +254,10 @@ OperatorFigures ordered_figures(const Flown& flown) {
   return ordered;
 }
 
-}  // namespace
-
-Result summary(const MissionRecord& record) { return summary(record, flown(record)); }
-
-Result summary(const MissionRecord& record, const Flown& flown) {
+// What was sprayed: by cells, and where rows are swept by footprints; or visited.
+void add_coverage(Result& r, const MissionRecord& record, const Flown& flown) {
   const bool is_flown = record.mode != Mode::plan;
-  Result r{};
-  r.scenario = record.scenario.name;
-  r.seed = record.scenario.seed;
-  r.mode = record.mode;
-  r.partial = record.partial;
-  r.field = field_figures(record);
-  r.datum = record.scenario.datum;
-  r.uavs = uav_figures(record, flown);
   r.sweep = record.plan.sweep;
-  r.met = met_figures(record.log);
   if (planner::is_survey(record.plan.route)) {
     r.survey = is_flown ? flown_survey(flown) : planned_survey(record);
   } else if (!r.sweep) {
@@ -264,15 +266,33 @@ Result summary(const MissionRecord& record, const Flown& flown) {
                             record.plan.work_direction_deg);
   }
   r.coverage = is_flown ? flown_coverage(record, flown, r.footprint) : planned_coverage(record);
-  if (r.sweep) {
-    const planner::SprayedAreas areas = sweep_areas(record, is_flown ? &flown : nullptr);
-    r.coverage = sweep_coverage(r.coverage, *r.sweep, areas);
-    r.footprint = footprint(areas);
-  }
+  if (!r.sweep) return;
+  const planner::SprayedAreas areas = sweep_areas(record, is_flown ? &flown : nullptr);
+  r.coverage = sweep_coverage(r.coverage, *r.sweep, areas);
+  r.footprint = footprint(areas);
+}
+
+}  // namespace
+
+Result summary(const MissionRecord& record) { return summary(record, flown(record)); }
+
+Result summary(const MissionRecord& record, const Flown& flown) {
+  const bool is_flown = record.mode != Mode::plan;
+  const std::vector<MissionWays> ways = ways_of(record, flown);
+  Result r{};
+  r.scenario = record.scenario.name;
+  r.seed = record.scenario.seed;
+  r.mode = record.mode;
+  r.partial = record.partial;
+  r.field = field_figures(record);
+  r.datum = record.scenario.datum;
+  r.uavs = uav_figures(record, flown, ways);
+  r.met = met_figures(record.log);
+  add_coverage(r, record, flown);
   r.completed = is_flown   ? !record.partial && flown.last_word && flown.last_word->completed
                 : r.survey ? r.survey->visited == r.survey->way_points
                            : r.coverage.abandoned_m2 == 0;
-  r.fleet = fleet_figures(record, flown, r);
+  r.fleet = fleet_figures(record, flown, r, together(ways));
   r.batteries = battery_figures(r.uavs);
   r.solver = solver_figures(record);
   r.deviation = fleet_deviation(flown);

@@ -61,56 +61,60 @@ class SortieTrack {
 
 }  // namespace
 
-MissionWays planned_ways(const MissionRecord& record) {
+MissionWays planned_ways(const planner::Route& route, const scheduler::UavPlan& uav) {
   MissionWays ways;
-  const planner::FerryMap& ferries = record.plan.route.ferries;
-  for (const scheduler::UavPlan& uav : record.plan.uavs) {
-    FieldPoint from = uav.vehicle.home;
-    std::size_t sorties = 0;
-    for (const SortieOrder& sortie : scheduler::orders(record.plan.route, uav)) {
-      const Way way = way_at_work(sortie);
-      ways.at_work.push_back(way);
-      Way whole = ferries.ferry_way(from, way.front(), uav.vehicle);
-      whole.insert(whole.end(), way.begin() + 1, way.end());
-      from = scheduler::landing(uav, sorties++).position;
-      const Way home = ferries.ferry_way(way.back(), from, uav.vehicle);
-      whole.insert(whole.end(), home.begin() + 1, home.end());
-      ways.whole.push_back(std::move(whole));
-    }
+  FieldPoint from = uav.vehicle.home;
+  std::size_t sorties = 0;
+  for (const SortieOrder& sortie : scheduler::orders(route, uav)) {
+    const Way way = way_at_work(sortie);
+    ways.at_work.push_back(way);
+    Way whole = route.ferries.ferry_way(from, way.front(), uav.vehicle);
+    whole.insert(whole.end(), way.begin() + 1, way.end());
+    from = scheduler::landing(uav, sorties++).position;
+    const Way home = route.ferries.ferry_way(way.back(), from, uav.vehicle);
+    whole.insert(whole.end(), home.begin() + 1, home.end());
+    ways.whole.push_back(std::move(whole));
   }
   return ways;
 }
 
-MissionWays flown_ways(const Flown& flown, bool is_survey) {
+MissionWays flown_ways(const FlownUav& uav, bool is_survey) {
   MissionWays ways;
-  for (const FlownUav& uav : flown.uavs) {
-    auto sortie = uav.sorties.begin();
-    SortieTrack track;
-    const auto end = [&] {
-      if (is_survey && sortie != uav.sorties.end()) {
-        track.work_between(sortie->resumed_at, sortie->returned_at);
-      }
-      track.end(ways);
-    };
-    for (const TrackPoint& point : uav.track) {
-      while (sortie != uav.sorties.end() && sortie->landed < point.at) {
-        end();
-        ++sortie;
-      }
-      track.add(point);
+  auto sortie = uav.sorties.begin();
+  SortieTrack track;
+  const auto end = [&] {
+    if (is_survey && sortie != uav.sorties.end()) {
+      track.work_between(sortie->resumed_at, sortie->returned_at);
     }
-    end();
+    track.end(ways);
+  };
+  for (const TrackPoint& point : uav.track) {
+    while (sortie != uav.sorties.end() && sortie->landed < point.at) {
+      end();
+      ++sortie;
+    }
+    track.add(point);
   }
+  end();
   return ways;
+}
+
+MissionWays together(const std::vector<MissionWays>& by_uav) {
+  MissionWays all;
+  for (const MissionWays& ways : by_uav) {
+    all.whole.insert(all.whole.end(), ways.whole.begin(), ways.whole.end());
+    all.at_work.insert(all.at_work.end(), ways.at_work.begin(), ways.at_work.end());
+  }
+  return all;
 }
 
 double length_m(const std::vector<Way>& ways) {
   double sum_m = 0;
-  for (const Way& way : ways) {
-    for (std::size_t i = 1; i < way.size(); ++i) sum_m += distance(way[i - 1], way[i]).base();
-  }
+  for (const Way& way : ways) sum_m += way_length(way).base();
   return sum_m;
 }
+
+double ferry_m(const MissionWays& ways) { return length_m(ways.whole) - length_m(ways.at_work); }
 
 double outside_m(const MissionRecord& record, const std::vector<Way>& ways) {
   const auto outside = planner::length_outside(record.scenario.field, ways, edge_tolerance);

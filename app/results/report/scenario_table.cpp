@@ -1,7 +1,7 @@
 #include "app/results/report/html_table.hpp"
 #include "app/results/report/tables.hpp"
 
-#include "app/results/land.hpp"
+#include "mission/polygon.hpp"
 
 namespace furrow::app {
 namespace {
@@ -9,17 +9,28 @@ namespace {
 bool same_kind(const Vehicle& a, const Vehicle& b) {
   return a.swath == b.swath && a.spray_speed == b.spray_speed && a.ferry_speed == b.ferry_speed &&
          a.spray_endurance == b.spray_endurance && a.flight_endurance == b.flight_endurance &&
-         a.tank == b.tank && a.gnss.sigma == b.gnss.sigma && a.gnss.bias == b.gnss.bias;
+         a.tank == b.tank && a.gnss.sigma == b.gnss.sigma && a.gnss.bias == b.gnss.bias &&
+         a.available_from == b.available_from && a.available_until == b.available_until;
+}
+
+// Empty for one that is there all the time.
+std::string window(const Vehicle& v) {
+  std::string words;
+  if (v.available_from > Seconds{}) {
+    words += fmt::format(", from {:g} min", v.available_from.base() / 60);
+  }
+  if (v.available_until) words += fmt::format(", until {:g} min", v.available_until->base() / 60);
+  return words;
 }
 
 std::string described(const Vehicle& v) {
   return fmt::format(
       "swath {:g} m, {:g} m/s spraying, {:g} m/s ferrying, {:g} min a tank of {:g} L ({:.1f} "
       "L/ha), "
-      "{:g} min a pack, GNSS {:g} m noise and {:g} m bias",
+      "{:g} min a pack, GNSS {:g} m noise and {:g} m bias{}",
       v.swath.base(), v.spray_speed.base(), v.ferry_speed.base(), v.spray_endurance.base() / 60,
       v.tank.base(), application_rate(v) / litres_per_hectare(1), v.flight_endurance.base() / 60,
-      v.gnss.sigma.base(), v.gnss.bias.base());
+      v.gnss.sigma.base(), v.gnss.bias.base(), window(v));
 }
 
 void add_vehicles(HtmlTable& table, const std::vector<Vehicle>& uavs) {
@@ -48,33 +59,24 @@ std::string described(const mission::Fault& fault) {
   return fmt::format("station {} shuts bay {}", number, fault.bay);
 }
 
-}  // namespace
-
-std::string scenario_table(const MissionRecord& record) {
-  const mission::Scenario& s = record.scenario;
-  HtmlTable table{"<What", "<How"};
-  table.row({"Scenario", s.name});
-  table.row({"Seed", fmt::format("{}", s.seed)});
+void add_land(HtmlTable& table, const mission::Scenario& s, double work_direction_deg) {
   table.row({"Field", fmt::format("{:.2f} ha, holes: {}, obstacles: {}, strips heading {:g}°",
-                                  area(s.field) / hectares(1), s.field.holes.size(),
-                                  s.field.obstacles.size(), record.plan.work_direction_deg)});
+                                  mission::area(s.field) / hectares(1), s.field.holes.size(),
+                                  s.field.obstacles.size(), work_direction_deg)});
   if (s.datum) {
     table.row(
         {"Origin of the field frame", fmt::format("latitude {:.7f}°, longitude {:.7f}° (WGS84)",
                                                   s.datum->lat_deg, s.datum->lon_deg)});
   }
   if (s.stated_area) {
-    const double off = area(s.field) / *s.stated_area - 1;
+    const double off = mission::area(s.field) / *s.stated_area - 1;
     table.row({"Area stated by its file", fmt::format("{:.4f} ha; its land has {:+.2f} %",
                                                       *s.stated_area / hectares(1), 100 * off)});
   }
-  if (s.survey) {
-    table.row({"Survey", fmt::format("{} way points, {:g} m above the ground; ways by {}",
-                                     s.survey->way_points.size(), s.survey->height.base(),
-                                     planner::name(s.survey->search.planner))});
-  }
-  add_vehicles(table, s.uavs);
-  for (const Station& station : s.stations) {
+}
+
+void add_stations(HtmlTable& table, const std::vector<Station>& stations) {
+  for (const Station& station : stations) {
     table.row({fmt::format("Station {}", number(station.id)),
                fmt::format("at ({:.1f}, {:.1f}) m, bays: {}, battery swap {:g} s, filling {:g} to "
                            "{:g} s",
@@ -82,6 +84,9 @@ std::string scenario_table(const MissionRecord& record) {
                            station.battery_swap.base(), station.fill_base.base(),
                            station.fill_full.base())});
   }
+}
+
+void add_air(HtmlTable& table, const mission::Scenario& s) {
   table.row({"Wind", s.wind.mean.base() == 0 && s.wind.gust.base() == 0
                          ? "calm"
                          : fmt::format("{:g} m/s from {:g}°, gusts of {:g} m/s", s.wind.mean.base(),
@@ -90,6 +95,24 @@ std::string scenario_table(const MissionRecord& record) {
              fmt::format("{:g} ms, jitter {:g} ms, loss {:g} %, doubled {:g} %",
                          seconds(s.link.latency).base() * 1e3, seconds(s.link.jitter).base() * 1e3,
                          100 * s.link.loss, 100 * s.link.duplication)});
+}
+
+}  // namespace
+
+std::string scenario_table(const MissionRecord& record) {
+  const mission::Scenario& s = record.scenario;
+  HtmlTable table{"<What", "<How"};
+  table.row({"Scenario", s.name});
+  table.row({"Seed", fmt::format("{}", s.seed)});
+  add_land(table, s, record.plan.work_direction_deg);
+  if (s.survey) {
+    table.row({"Survey", fmt::format("{} way points, {:g} m above the ground; ways by {}",
+                                     s.survey->way_points.size(), s.survey->height.base(),
+                                     planner::name(s.survey->search.planner))});
+  }
+  add_vehicles(table, s.uavs);
+  add_stations(table, s.stations);
+  add_air(table, s);
   for (const mission::Fault& fault : s.faults) {
     table.row({"Fault",
                fmt::format("{} at {:.1f} min", described(fault), seconds(fault.at).base() / 60)});

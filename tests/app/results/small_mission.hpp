@@ -155,7 +155,8 @@ inline MissionRecord small_flight() {
   one_flew.offsets_m = {0, 0, 0, 0, 0};
   one_flew.truth = {.samples = 5, .sum_squares = 0, .largest = 0};
   one_flew.fix = one_flew.truth;
-  one_flew.track = {{at(0), at_m(1, 1), true}, {at(8), at_m(3, 7), false}};
+  one_flew.track = {
+      {at(0), at_m(1, 1), true}, {at(8), at_m(3, 7), false}, {at(12), at_m(0, 0), false}};
   say(one, 8, one_flew);
   say(one, 9,
       WorkReport{AgentId{1},
@@ -190,7 +191,10 @@ inline MissionRecord small_flight() {
   one_flew.cells = {5, 3};
   one_flew.offsets_m = {0, 0, 0};
   one_flew.truth.samples = one_flew.fix.samples = 3;
-  one_flew.track = {{at(79), at_m(3, 7), true}, {at(85), at_m(3, 1), false}};
+  one_flew.track = {{at(75), at_m(0, 0), false},
+                    {at(79), at_m(3, 7), true},
+                    {at(85), at_m(3, 1), false},
+                    {at(87), at_m(0, 0), false}};
   say(one, 85, one_flew);
   say(one, 85,
       WorkReport{AgentId{1},

@@ -64,6 +64,10 @@ TEST_CASE("summary: what was flown counts by closed grants, once each", "[app]")
   // UAV 1: home 8 to 12, waits 3, in the bay 60, takes off at 75 and sprays from 79.
   CHECK(r.uavs[0].non_spray_s == 4 + 3 + 60 + 4);
   CHECK(r.fleet.queue_wait_s == 3.0);
+  // Home from (3, 7), out again, and home from (3, 1); of UAV 2 no way is on record.
+  CHECK(r.fleet.ferry_m == Approx(2 * 7.615773105863909 + 3.1622776601683795));
+  // Tracks as they are: straight from (1, 1) to (3, 7), and two strips of 6 m.
+  CHECK(r.fleet.route_m == Approx(12 + std::sqrt(2 * 2 + 6 * 6)));
   // UAV 2 never reported its sortie; its valve closed at 6 s.
   CHECK(r.uavs[1].sorties.empty());
   CHECK(r.uavs[1].spray_ended_s == 6.0);
@@ -98,19 +102,27 @@ TEST_CASE("summary: boots do not change the digest, and every other field does",
 
 TEST_CASE("summary: an expectation is met within its bounds and missed outside", "[app]") {
   MissionRecord record = small_plan();
-  record.scenario.expectations = {{"completed", 1.0, 1.0},     {"missed_m2", {}, 0.0},
-                                  {"fleet.spray_s", 20.0, {}}, {"strips", 4.0, {}},
-                                  {"covered_m2", 10.0, 47.0},  {"yield_kg", {}, 1.0}};
+  record.scenario.expectations = {{"completed", 1.0, 1.0},    {"missed_m2", {}, 0.0},
+                                  {"route_m", 20.0, {}},      {"encounters", 4.0, {}},
+                                  {"covered_m2", 10.0, 47.0}, {"yield_kg", {}, 1.0}};
   const Result r = summary(record);
 
   REQUIRE(r.expectations.size() == 6);
   for (const std::size_t i : {0u, 1u, 2u}) CHECK(r.expectations[i].met);
   for (const std::size_t i : {3u, 4u, 5u}) CHECK_FALSE(r.expectations[i].met);
-  CHECK(r.expectations[3].message == "strips is 3, expected at least 4");
+  CHECK(r.expectations[3].message == "encounters is 0, expected at least 4");
   CHECK(r.expectations[4].message == "covered_m2 is 48, expected 10 to 47");
-  CHECK(r.expectations[5].message == "yield_kg: the result has no such figure");
+  CHECK(r.expectations[5].message == "yield_kg: this result has no such figure");
   CHECK_FALSE(r.expectations[5].value);
   CHECK_FALSE(all_met(r));
+}
+
+TEST_CASE("summary: the gap of a mission that is not completed meets no expectation", "[app]") {
+  MissionRecord record = small_flight();  // its return points are proven: a gap of another kind
+  record.scenario.expectations = {{"gap", {}, 10.0}};
+  const Result r = summary(record);
+  REQUIRE(r.solver.gap == 0.0);
+  CHECK_FALSE(r.expectations[0].met);
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ TEST_CASE("ways: a strip that goes on from the cell before is entered at its own
   route.strips[1] = planner::centre_strip({4, 4}, at_m(3, 1), at_m(3, 7), true);
   for (int i = 0; i < 4; ++i) route.centers[4 + static_cast<std::size_t>(i)] = at_m(3, 1 + 2 * i);
 
-  const Way first = planned_ways(record).at_work.at(0);
+  const Way first = planned_ways(route, record.plan.uavs[0]).at_work.at(0);
   CHECK(length_m({first}) == Approx(6 + std::sqrt(2 * 2 + 6 * 6)));
 }
 
