@@ -23,8 +23,8 @@ std::string state(const Result& r) {
 }
 
 std::string bound(const FleetFigures& f) {
-  if (f.bound.empty()) return "no bound known";
-  return fmt::format("no plan below {:.2f} ({})", f.lower_bound_s / 60, f.bound);
+  if (f.bound.empty()) return "no lower bound known";
+  return fmt::format("no plan ends before {:.2f} min (bound by {})", f.lower_bound_s / 60, f.bound);
 }
 
 std::string in_shared_air(const FleetFigures& f) {
@@ -37,16 +37,25 @@ std::string minutes_or_none(std::optional<double> s) {
 }
 
 // What the plan was chosen from.
-std::string yardstick_row(const scheduler::Yardsticks& y) {
-  return fmt::format("{}; by shares of strips {}, till empty {}, simple {} min\n",
-                     y.is_joint ? "sorties chosen jointly" : "joint search found nothing faster",
-                     minutes_or_none(y.shares_s), minutes_or_none(y.till_empty_s),
-                     minutes_or_none(y.simple_s));
+std::string yardstick_rows(const scheduler::Yardsticks& y) {
+  return fmt::format(
+      "{}; last cell otherwise:\n  shares of strips {}, till empty {}, simple {} min\n",
+      y.is_joint ? "sorties chosen jointly" : "joint search found nothing faster",
+      minutes_or_none(y.shares_s), minutes_or_none(y.till_empty_s), minutes_or_none(y.simple_s));
 }
 
-std::string distance_to_bound(const SolverFigures& s) {
-  if (!s.gap) return "no bound known";
-  return fmt::format("{:.2f} % above {}", 100 * *s.gap, s.proven ? "the optimum" : "the bound");
+// How the return points were found, and how good they are where that is known.
+std::string returns_row(const SolverFigures& s) {
+  const std::string gap = s.gap ? fmt::format(", non-spray time {:.2f} % above {}", 100 * *s.gap,
+                                              s.proven ? "the optimum" : "the bound")
+                                : "";
+  return fmt::format("return points by {}{}\n", s.returns, gap);
+}
+
+std::string makespan_rows(const Result& r) {
+  return fmt::format("last {} {:.2f} min, planned {:.2f}{}\n{}\n", r.survey ? "visit" : "cell",
+                     r.fleet.makespan_s / 60, r.fleet.planned_makespan_s / 60,
+                     in_shared_air(r.fleet), bound(r.fleet));
 }
 
 std::string uav_rows(const Result& r) {
@@ -108,12 +117,8 @@ std::string summary_table(const Result& r) {
     table += fmt::format("origin of the field frame: lat {:.7f}, lon {:.7f} (WGS84)\n",
                          r.datum->lat_deg, r.datum->lon_deg);
   }
-  table += fmt::format(
-      "last {} {:.2f} min, planned {:.2f}{}, {}; returns by {}: "
-      "{}\n",
-      r.survey ? "visit" : "cell", r.fleet.makespan_s / 60, r.fleet.planned_makespan_s / 60,
-      in_shared_air(r.fleet), bound(r.fleet), r.solver.returns, distance_to_bound(r.solver));
-  if (r.solver.yardsticks) table += yardstick_row(*r.solver.yardsticks);
+  table += makespan_rows(r) + returns_row(r.solver);
+  if (r.solver.yardsticks) table += yardstick_rows(*r.solver.yardsticks);
   table += separation_row(r.separation);
   for (const ExpectationFigures& e : r.expectations) {
     if (!e.met) table += cut("missed: " + e.message);

@@ -34,7 +34,7 @@ std::string_view words(Phase phase) {
     case Phase::idle: return "idle";
     case Phase::fly_out: return "flying out";
     case Phase::spray: return "spraying";
-    case Phase::hold: return "holding";
+    case Phase::hold: return "hovering";
     case Phase::fly_back: return "flying back";
     case Phase::wait: return "waiting for a bay";
     case Phase::service: return "in a bay";
@@ -191,7 +191,7 @@ std::string legend(bool is_survey) {
          key("background:#0072b2;opacity:.55;height:5px", "flying out or back") +
          key(fmt::format("background:{}", waiting), "waiting for a bay") +
          key(fmt::format("background:{}", serving), "in a bay") +
-         key(fmt::format("background:{}", alarm), "holding for a grant") +
+         key(fmt::format("background:{}", alarm), "hovering: no grant, no clear way, or paused") +
          "<li><i class=\"key diamond\"></i>planned end of work</li></ul>";
 }
 

@@ -2,7 +2,6 @@
 
 #include "app/results/report/html_table.hpp"
 
-#include <algorithm>
 #include <map>
 
 namespace furrow::app {
@@ -12,9 +11,6 @@ std::string minutes(double t_s) { return fmt::format("{:.1f}", t_s / 60); }
 std::string minutes2(double t_s) { return fmt::format("{:.2f}", t_s / 60); }
 std::string whole(double value) { return fmt::format("{:.0f}", value + 0.0); }
 std::string percent(double share) { return fmt::format("{:.2f} %", 100 * share); }
-std::string percent(const std::optional<double>& share) {
-  return share ? percent(*share) : std::string{"no bound"};
-}
 std::string centimetres(double length_m) { return fmt::format("{:.1f}", 100 * length_m); }
 std::string place(FieldPoint p) { return fmt::format("{:.1f}, {:.1f}", p.x.base(), p.y.base()); }
 
@@ -42,9 +38,23 @@ std::string gsa_alone(const SolverFigures& s) {
   return "; GSA alone " + percent(*s.gsa_s / s.lower_bound_s - 1);
 }
 
-}  // namespace
+// By the non-spray time of the plan, else by its last cell.
+std::string gap_card(const Result& r) {
+  if (r.solver.gap) {
+    return card(r.solver.proven ? "Above the optimum" : "Above the bound", percent(*r.solver.gap),
+                "non-spray time of the plan" + gsa_alone(r.solver));
+  }
+  if (r.fleet.lower_bound_s > 0) {
+    return card("Above the bound", percent(r.fleet.planned_makespan_s / r.fleet.lower_bound_s - 1),
+                "last cell of the plan; bound by " + r.fleet.bound);
+  }
+  return card("Optimality gap", "not known", "no bound is known for this plan");
+}
 
-namespace {
+std::string laws_card(const Result& r) {
+  return card("Laws broken", fmt::format("{}", r.violations.size()),
+              fmt::format("in {} messages", r.log.messages), r.violations.empty() ? "good" : "bad");
+}
 
 std::string survey_headline(const Result& r) {
   const bool is_flown = r.mode != Mode::plan;
@@ -58,16 +68,36 @@ std::string survey_headline(const Result& r) {
                 fmt::format("{} battery swaps", r.solver.swaps));
   cards += card("Aircraft", fmt::format("{}", r.uavs.size()),
                 minutes(r.fleet.queue_wait_s) + " min waiting for a bay");
-  if (is_flown) {
-    cards +=
-        card("Laws broken", fmt::format("{}", r.violations.size()),
-             fmt::format("in {} messages", r.log.messages), r.violations.empty() ? "good" : "bad");
-  }
+  if (is_flown) cards += laws_card(r);
   return cards + "</div>";
 }
 
 // Beyond the plan, of what is workable, before a report sets it off.
 constexpr double may_miss_share = 0.001, may_repeat_share = 0.01;
+
+std::string flown_cards(const Result& r, double workable_m2) {
+  const double planned_twice_m2 = r.sweep ? r.sweep->areas.repeated.base() : 0;
+  const bool is_off = r.coverage.repeated_m2 > planned_twice_m2 + may_repeat_share * workable_m2;
+  return card("Off the line", centimetres(r.deviation.truth.rms_m) + " cm",
+              "RMS; " + centimetres(r.deviation.truth.max_m) + " cm at most") +
+         card("Sprayed twice", area(r.coverage.repeated_m2),
+              fmt::format("{} in the plan; {:.1f} L; {} ({:.1f} L) outside the field",
+                          area(planned_twice_m2), r.fleet.repeated_l, area(r.coverage.outside_m2),
+                          r.fleet.outside_l),
+              is_off ? "bad" : "") +
+         laws_card(r);
+}
+
+std::string planned_cards(const Result& r) {
+  std::size_t sorties = 0;
+  for (const UavFigures& uav : r.uavs) sorties += uav.sorties.size();
+  return card("Sorties", fmt::format("{}", sorties),
+              fmt::format("{} battery swaps", r.solver.swaps)) +
+         card("Ferrying", fmt::format("{:.1f} km", r.fleet.ferry_m / 1000),
+              fmt::format("{:.1f} km at work", r.fleet.route_m / 1000)) +
+         card("Aircraft", fmt::format("{}", r.uavs.size()),
+              fmt::format("{} stations", r.stations.size()));
+}
 
 }  // namespace
 
@@ -80,39 +110,14 @@ std::string headline(const Result& r) {
   cards += card(is_flown ? "Sprayed" : "To spray", area(r.coverage.covered_m2),
                 fmt::format("{} of what is workable; {:.1f} L at {:.1f} L/ha", percent(covered),
                             r.fleet.sprayed_l, r.fleet.rate_l_ha));
-  const double planned_missed_m2 =
-      r.sweep ? std::max(r.coverage.unrouted_m2, r.sweep->areas.missed.base())
-              : r.coverage.unrouted_m2;
-  cards +=
-      card("Missed", area(r.coverage.missed_m2), area(planned_missed_m2) + " in the plan",
-           r.coverage.missed_m2 > planned_missed_m2 + may_miss_share * workable_m2 ? "bad" : "");
+  const double most_m2 = r.coverage.unrouted_m2 + may_miss_share * workable_m2;
+  cards += card("Missed", area(r.coverage.missed_m2), area(r.coverage.unrouted_m2) + " in the plan",
+                r.coverage.missed_m2 > most_m2 ? "bad" : "");
   cards += card("Last cell sprayed", minutes(r.fleet.makespan_s) + " min", makespan_note(r));
   cards += card("Not spraying", minutes(r.fleet.non_spray_s) + " min",
                 minutes(r.fleet.queue_wait_s) + " min of it waiting for a bay");
-  cards += card(r.solver.proven ? "Above the optimum" : "Above the bound", percent(r.solver.gap),
-                "non-spray time of the plan" + gsa_alone(r.solver));
-  if (is_flown) {
-    cards += card("Off the line", centimetres(r.deviation.truth.rms_m) + " cm",
-                  "RMS; " + centimetres(r.deviation.truth.max_m) + " cm at most");
-    const double planned_twice_m2 = r.sweep ? r.sweep->areas.repeated.base() : 0;
-    cards += card(
-        "Sprayed twice", area(r.coverage.repeated_m2),
-        fmt::format("{} in the plan; {:.1f} L; {} ({:.1f} L) outside the field",
-                    area(planned_twice_m2), r.fleet.repeated_l, area(r.coverage.outside_m2),
-                    r.fleet.outside_l),
-        r.coverage.repeated_m2 > planned_twice_m2 + may_repeat_share * workable_m2 ? "bad" : "");
-    cards +=
-        card("Laws broken", fmt::format("{}", r.violations.size()),
-             fmt::format("in {} messages", r.log.messages), r.violations.empty() ? "good" : "bad");
-  } else {
-    cards += card("Sorties", fmt::format("{}", r.solver.return_points + r.uavs.size()),
-                  fmt::format("{} battery swaps", r.solver.swaps));
-    cards += card("Ferrying", fmt::format("{:.1f} km", r.fleet.ferry_m / 1000),
-                  fmt::format("{:.1f} km along strips", r.fleet.route_m / 1000));
-    cards += card("Aircraft", fmt::format("{}", r.uavs.size()),
-                  fmt::format("{} stations", r.stations.size()));
-  }
-  return cards + "</div>";
+  cards += gap_card(r);
+  return cards + (is_flown ? flown_cards(r, workable_m2) : planned_cards(r)) + "</div>";
 }
 
 std::string coverage_table(const Result& r) {
@@ -143,7 +148,7 @@ std::string expectation_table(const Result& r) {
     return v ? fmt::format("{}", *v) : std::string{};
   };
   for (const ExpectationFigures& e : r.expectations) {
-    table.row({e.key, e.value ? fmt::format("{:.6g}", *e.value) : "no such figure", bound(e.min),
+    table.row({e.key, e.value ? fmt::format("{:.6g}", *e.value) : "none", bound(e.min),
                bound(e.max), e.met ? "✓ met" : "✗ missed"},
               e.met ? "good" : "bad");
   }
@@ -166,15 +171,16 @@ void add_yardsticks(HtmlTable& table, const scheduler::Yardsticks& y) {
 
 std::string optimum_table(const Result& r) {
   const SolverFigures& s = r.solver;
+  const bool is_bounded = r.fleet.lower_bound_s > 0;
   HtmlTable table{"<", "Plan", s.proven ? "Optimum" : "No plan is below", "Gap"};
   table.row({"Return points", fmt::format("{}", s.return_points), "", ""});
   table.row({"Round trips, m", whole(s.round_trips_m), "", ""});
   table.row({"Battery swaps", fmt::format("{}", s.swaps), "", ""});
   table.row({"Filling, min", minutes2(s.fill_s), "", ""});
   table.row({"Service, min", minutes2(s.service_s), "", ""});
-  table.row(
-      {"Non-spray time, min", minutes2(s.non_spray_s), minutes2(s.lower_bound_s), percent(s.gap)},
-      "total");
+  table.row({"Non-spray time, min", minutes2(s.non_spray_s), s.gap ? minutes2(s.lower_bound_s) : "",
+             s.gap ? percent(*s.gap) : "no bound known"},
+            "total");
   if (s.until_empty_s && *s.until_empty_s > 0) {
     table.row({"The same until empty, min", minutes2(*s.until_empty_s), "",
                fmt::format("{:+.2f} %", 100 * (s.non_spray_s / *s.until_empty_s - 1))});
@@ -186,10 +192,10 @@ std::string optimum_table(const Result& r) {
   if (s.gsa_s) table.row({"Objective of GSA alone, min", minutes2(*s.gsa_s), "", ""});
   table.row({r.fleet.bound.empty() ? "Last cell, min"
                                    : fmt::format("Last cell, min (bound by {})", r.fleet.bound),
-             minutes2(r.fleet.planned_makespan_s), minutes2(r.fleet.lower_bound_s),
-             r.fleet.lower_bound_s > 0
-                 ? percent(r.fleet.planned_makespan_s / r.fleet.lower_bound_s - 1)
-                 : ""});
+             minutes2(r.fleet.planned_makespan_s),
+             is_bounded ? minutes2(r.fleet.lower_bound_s) : "",
+             is_bounded ? percent(r.fleet.planned_makespan_s / r.fleet.lower_bound_s - 1)
+                        : "no bound known"});
   if (s.yardsticks) add_yardsticks(table, *s.yardsticks);
   return table.markup("narrow") +
          fmt::format(
@@ -207,9 +213,9 @@ std::string uav_table(const Result& r) {
     const double over = u.lower_bound_s > 0 ? u.planned_non_spray_s / u.lower_bound_s - 1 : 0;
     table.row({fmt::format("{}{}", u.id, u.lost ? " ✗ lost" : ""), fmt::format("{}", u.strips),
                fmt::format("{:.2f}", u.area_m2 / 10'000), fmt::format("{}", u.sorties.size()),
-               minutes2(u.planned_non_spray_s), minutes2(u.lower_bound_s),
-               is_bounded ? percent(over) : percent(std::nullopt), u.proven ? "yes" : "no",
-               minutes(u.queue_wait_s), minutes(u.planned_spray_ended_s), minutes(u.spray_ended_s),
+               minutes2(u.planned_non_spray_s), is_bounded ? minutes2(u.lower_bound_s) : "",
+               is_bounded ? percent(over) : "", u.proven ? "yes" : "no", minutes(u.queue_wait_s),
+               minutes(u.planned_spray_ended_s), minutes(u.spray_ended_s),
                fmt::format("{:.1f}", u.ferry_m / 1000)},
               u.lost ? "bad" : "");
   }

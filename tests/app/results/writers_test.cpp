@@ -137,6 +137,18 @@ TEST_CASE("report_html: is well formed, whole in itself and escapes names", "[ap
   }
 }
 
+TEST_CASE("report_html: how good a plan is, by its non-spray time, its last cell, or not known",
+          "[app]") {
+  const auto page = [](const Result& r) { return report_html(small_plan(), r); };
+  Result r = summary(small_plan());
+  CHECK(page(r).find("<b>Above the optimum</b><strong>0.00 %") != std::string::npos);
+  r.solver.gap.reset();
+  // 81.615773 s above 80 s.
+  CHECK(page(r).find("<b>Above the bound</b><strong>2.02 %") != std::string::npos);
+  r.fleet.lower_bound_s = 0;
+  CHECK(page(r).find("<b>Optimality gap</b><strong>not known") != std::string::npos);
+}
+
 TEST_CASE("report_html: bears a flight without a log and a UAV without work", "[app]") {
   MissionRecord record = small_flight();
   record.log.clear();
@@ -189,7 +201,13 @@ TEST_CASE("terminal: the summary fits into 100 columns and names what is missed"
   MissionRecord record = small_flight();
   record.scenario.expectations = {{"missed_m2", {}, 0.0}};
   record.violations = {{"L1", Instant{}, std::string(200, 'x')}};
-  const std::string table = summary_table(summary(record));
+  record.plan.bound = "farthest point";
+  record.plan.yardsticks = scheduler::Yardsticks{};
+  Result result = summary(record);
+  result.fleet.planned_in_shared_air_s = 6000;
+  result.separation = {
+      .distance_m = 1, .encounters = 100, .near_s = 500, .closest_m = 0.5, .first_s = 1000};
+  const std::string table = summary_table(result);
 
   std::istringstream lines{table};
   for (std::string line; std::getline(lines, line);) CHECK(line.size() <= 100);
