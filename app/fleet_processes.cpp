@@ -22,29 +22,19 @@ std::uint32_t agents_per_process(const Options& options, std::size_t uavs) {
   return static_cast<std::uint32_t>((uavs + processes - 1) / processes);
 }
 
-std::vector<Launch> launches(const Options& options, const mission::Scenario& scenario,
-                             const transport::Network& network) {
-  std::vector<Launch> all;
-  const auto add = [&](std::uint32_t participant, std::vector<NodeId> nodes) -> Launch& {
-    Launch& launch = all.emplace_back();
-    launch.plan = {participant, std::move(nodes)};
-    return launch;
-  };
+Launch launch(std::string name, std::string program, std::uint32_t participant,
+              std::vector<NodeId> nodes, std::vector<std::string> role = {}) {
+  Launch made;
+  made.plan = {participant, std::move(nodes)};
+  made.name = std::move(name);
+  made.program = std::move(program);
+  made.role = std::move(role);
+  return made;
+}
 
-  Launch& scheduler = add(transport::scheduler_participant, {scheduler_node()});
-  scheduler.name = "the scheduler";
-  scheduler.program = "furrow-scheduler";
-
-  std::uint32_t participant = transport::first_station_participant;
-  for (const Station& station : scenario.stations) {
-    const std::string number = std::to_string(furrow::number(station.id));
-    Launch& supply = add(participant++, {node(station.id)});
-    supply.name = "station " + number;
-    supply.program = "furrow-supply";
-    supply.role = {"--station", number};
-  }
-
-  participant = transport::first_agent_participant(network);
+// No process hosts both remote aircraft and others.
+void add_agents(std::vector<Launch>& all, const Options& options, const mission::Scenario& scenario,
+                std::uint32_t participant) {
   const std::size_t each = agents_per_process(options, scenario.uavs.size());
   const auto is_remote = [&](std::size_t i) {
     const auto& remote = options.remote_agents;
@@ -56,12 +46,23 @@ std::vector<Launch> launches(const Options& options, const mission::Scenario& sc
     std::vector<NodeId> hosted;
     for (std::size_t i = first; i < end; ++i) hosted.push_back(node(scenario.uavs[i].id));
     const std::string range = fmt::format("{}-{}", first + 1, end);
-    Launch& agents = add(participant++, std::move(hosted));
-    agents.name = "the process of agents " + range;
-    agents.program = "furrow-agents";
-    agents.role = {"--agents", range};
-    agents.is_remote = is_remote(first);
+    all.push_back(launch("the process of agents " + range, "furrow-agents", participant++,
+                         std::move(hosted), {"--agents", range}));
+    all.back().is_remote = is_remote(first);
   }
+}
+
+std::vector<Launch> launches(const Options& options, const mission::Scenario& scenario,
+                             const transport::Network& network) {
+  std::vector<Launch> all{launch("the scheduler", "furrow-scheduler",
+                                 transport::scheduler_participant, {scheduler_node()})};
+  std::uint32_t participant = transport::first_station_participant;
+  for (const Station& station : scenario.stations) {
+    const std::string id = std::to_string(number(station.id));
+    all.push_back(launch("station " + id, "furrow-supply", participant++, {node(station.id)},
+                         {"--station", id}));
+  }
+  add_agents(all, options, scenario, transport::first_agent_participant(network));
   return all;
 }
 

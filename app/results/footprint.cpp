@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace furrow::app {
@@ -95,6 +96,34 @@ std::vector<double> senses(const planner::Route& route, const StripFrame& frame)
   return sense;
 }
 
+// By where along the strips they lie [m], rising.
+std::vector<std::pair<double, Row>> rows(const planner::Route& route, std::span<const Pass> passes,
+                                         const StripFrame& frame) {
+  const double cell_m = route.cell.base();
+  const double origin_m = frame.along_m(route.centers.front());
+  const auto swath_at = [&](double across_m) {
+    return Interval{across_m - cell_m / 2, across_m + cell_m / 2};
+  };
+  std::map<long long, Row> by_index;
+  const auto row_of = [&](FieldPoint p) -> Row& {
+    return by_index[std::llround((frame.along_m(p) - origin_m) / cell_m)];
+  };
+  for (const auto* cells : {&route.centers, &route.missed}) {
+    for (const FieldPoint p : *cells) row_of(p).workable.push_back(swath_at(frame.across_m(p)));
+  }
+  const std::vector<double> sense = senses(route, frame);
+  for (const Pass& pass : passes) {
+    const FieldPoint p = route.centers[pass.cell];
+    const double across_m = frame.across_m(p) + sense[pass.cell] * pass.offset_m;
+    row_of(p).wetted.push_back(swath_at(across_m));
+  }
+  std::vector<std::pair<double, Row>> all;
+  for (auto& [index, row] : by_index) {
+    all.emplace_back(origin_m + static_cast<double>(index) * cell_m, std::move(row));
+  }
+  return all;
+}
+
 }  // namespace
 
 FootprintFigures footprint(const Field& field, const planner::Route& route,
@@ -102,30 +131,8 @@ FootprintFigures footprint(const Field& field, const planner::Route& route,
   const double direction_rad = work_direction_deg * std::numbers::pi / 180;
   const StripFrame frame{std::sin(direction_rad), std::cos(direction_rad)};
   const double cell_m = route.cell.base();
-  const double origin_m = frame.along_m(route.centers.front());
-  const auto row_of = [&](FieldPoint p) {
-    return std::llround((frame.along_m(p) - origin_m) / cell_m);
-  };
-  const auto swath_at = [&](double across_m) {
-    return Interval{across_m - cell_m / 2, across_m + cell_m / 2};
-  };
-
-  std::map<long long, Row> rows;
-  for (const auto* cells : {&route.centers, &route.missed}) {
-    for (const FieldPoint p : *cells) {
-      rows[row_of(p)].workable.push_back(swath_at(frame.across_m(p)));
-    }
-  }
-  const std::vector<double> sense = senses(route, frame);
-  for (const Pass& pass : passes) {
-    const FieldPoint p = route.centers[pass.cell];
-    const double across_m = frame.across_m(p) + sense[pass.cell] * pass.offset_m;
-    rows[row_of(p)].wetted.push_back(swath_at(across_m));
-  }
-
   FootprintFigures sum{};
-  for (auto& [index, row] : rows) {
-    const double along_m = origin_m + static_cast<double>(index) * cell_m;
+  for (auto& [along_m, row] : rows(route, passes, frame)) {
     const double sprayed_m = length_m(row.wetted);
     const auto workable = merged(std::move(row.workable));
     const auto wetted = merged(std::move(row.wetted));
