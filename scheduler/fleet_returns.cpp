@@ -119,10 +119,13 @@ class Search {
     }
     QueueClock clock{stations_[station].bays, std::move(here)};
     const double without_s = clock.queue_wait_without_s(index);
+    const double with_s = clock.queue_wait_s(index, itinerary_of(tasks_[u], current_[u].plan));
+    // Nobody waits, and no plan takes less time by itself.
+    if (current_[u].proven && with_s <= 0.0 && without_s <= 0.0) return;
     const auto added_wait_s = [&](const ReturnPlan& plan) {
       return clock.queue_wait_s(index, itinerary_of(tasks_[u], plan)) - without_s;
     };
-    const double now_s = current_[u].plan.non_spray_s + added_wait_s(current_[u].plan);
+    const double now_s = current_[u].plan.non_spray_s + (with_s - without_s);
     auto answer =
         planner::solve(*tasks_[u].problem, settings_for(tasks_[u].agent, round), added_wait_s);
     if (!answer || answer->objective_s >= now_s) return;

@@ -82,7 +82,10 @@ planner::StationLengths reordered(const Remnant& order, const Share& share,
   for (std::uint32_t s = share.strips.first + 1; s < end(share.strips); ++s) {
     const planner::Strip& next = route.strips[s];
     if (next.continues) continue;
-    lengths.out_m[next.cells.first - 1 - first] = route.ferries.length(next.begin, station).base();
+    const std::uint32_t before = next.cells.first - 1;
+    const bool is_as_ever = order.cells[before] + 1 == order.cells[before + 1];
+    lengths.out_m[before - first] = is_as_ever ? whole.out_m[order.cells[before]]
+                                               : route.ferries.length(next.begin, station).base();
   }
   return lengths;
 }

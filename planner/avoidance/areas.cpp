@@ -1,20 +1,20 @@
 #include "planner/avoidance/areas.hpp"
 
 #include "planner/coverage/geos.hpp"
+#include "planner/coverage/overlay.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace furrow::planner {
 namespace {
 
 constexpr double line_step_m = 0.25;
 
-struct Crossing {
-  double place_m;
-  int turn;  // +1 into, -1 out of the outline
-};
+enum Layer : std::size_t { planned, excluded, flown };
 
 // The outline of a footprint: its left side out, its right side back.
 RingM outline(const FootprintM& footprint) {
@@ -35,17 +35,15 @@ RingM outline(const FootprintM& footprint) {
   return left;
 }
 
-// Which lines x = const a window is measured on.
-struct Lines {
-  double first_m, step_m;
-  std::size_t count;
-  double at(std::size_t i) const { return first_m + static_cast<double>(i) * step_m; }
+struct Crossing {
+  std::size_t line;
+  double place_m;
+  int turn;  // +1 into, -1 out of the outline
 };
 
-using Spans = std::vector<std::vector<std::pair<double, double>>>;  // of each line, apart
-
-Spans spans_of(const RingM& ring, const WindowM& window, const Lines& lines) {
-  std::vector<std::vector<Crossing>> crossings(lines.count);
+std::vector<Crossing> crossings_of(const RingM& ring, const WindowM& window,
+                                   const WindowLines& lines) {
+  std::vector<Crossing> crossings;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     PointM a = window.frame.to(ring[i] - window.origin);
     PointM b = window.frame.to(ring[(i + 1) % ring.size()] - window.origin);
@@ -56,59 +54,60 @@ Spans spans_of(const RingM& ring, const WindowM& window, const Lines& lines) {
       const double x = lines.first_m + k * lines.step_m;
       if (x >= b.x) break;
       const double share = (x - a.x) / (b.x - a.x);
-      crossings[static_cast<std::size_t>(k)].push_back({a.y + share * (b.y - a.y), turn});
+      crossings.push_back({static_cast<std::size_t>(k), a.y + share * (b.y - a.y), turn});
     }
   }
-  Spans spans(lines.count);
-  for (std::size_t k = 0; k < lines.count; ++k) {
-    std::sort(crossings[k].begin(), crossings[k].end(),
-              [](const Crossing& a, const Crossing& b) { return a.place_m < b.place_m; });
-    int winding = 0;
-    double from_m = 0;
-    for (const Crossing& c : crossings[k]) {
-      const int before = winding;
-      winding += c.turn;
-      if (before == 0) from_m = c.place_m;
-      if (winding == 0 && c.place_m > from_m) spans[k].push_back({from_m, c.place_m});
-    }
-  }
-  return spans;
+  std::sort(crossings.begin(), crossings.end(), [](const Crossing& a, const Crossing& b) {
+    return a.line != b.line ? a.line < b.line : a.place_m < b.place_m;
+  });
+  return crossings;
 }
 
-Spans spans_of(const CircleM& circle, const WindowM& window, const Lines& lines) {
+// Ground that the outline passes twice is marked once.
+void mark(const RingM& ring, Layer layer, const WindowM& window, const WindowLines& lines,
+          AreaMarks& marks) {
+  int winding = 0;
+  double from_m = 0;
+  for (const Crossing& c : crossings_of(ring, window, lines)) {
+    const int before = winding;
+    winding += c.turn;
+    if (before == 0) from_m = c.place_m;
+    if (winding != 0 || c.place_m <= from_m) continue;
+    marks.push_back({c.line, from_m, layer, 1});
+    marks.push_back({c.line, c.place_m, layer, -1});
+  }
+}
+
+void mark(const CircleM& circle, const WindowM& window, const WindowLines& lines,
+          AreaMarks& marks) {
   const PointM at = window.frame.to(circle.center - window.origin);
-  Spans spans(lines.count);
   for (std::size_t k = 0; k < lines.count; ++k) {
-    const double off = lines.at(k) - at.x;
+    const double off = lines.first_m + static_cast<double>(k) * lines.step_m - at.x;
     if (std::abs(off) >= circle.radius_m) continue;
     const double half = std::sqrt(circle.radius_m * circle.radius_m - off * off);
-    spans[k].push_back({at.y - half, at.y + half});
+    marks.push_back({k, at.y - half, excluded, 1});
+    marks.push_back({k, at.y + half, excluded, -1});
   }
-  return spans;
 }
 
-enum class Layer { planned, excluded, flown };
-struct Edge {
-  double place_m;
-  Layer layer;
-  int step;
-};
+AreaMarks in_order(AreaMarks marks) {
+  std::stable_sort(marks.begin(), marks.end(),
+                   [](const AreaMark& a, const AreaMark& b) { return a.line < b.line; });
+  return marks;
+}
 
-WrongArea on_line(std::vector<Edge>& edges) {
-  std::sort(edges.begin(), edges.end(),
-            [](const Edge& a, const Edge& b) { return a.place_m < b.place_m; });
+WrongArea on_line(AreaMarks& marks) {
+  std::sort(marks.begin(), marks.end(),
+            [](const AreaMark& a, const AreaMark& b) { return a.place_m < b.place_m; });
   WrongArea wrong{0, 0};
-  int planned = 0, excluded = 0, flown = 0;
-  for (std::size_t i = 0; i < edges.size(); ++i) {
+  std::array<int, 3> n{};
+  for (std::size_t i = 0; i < marks.size(); ++i) {
     if (i > 0) {
-      const double width = edges[i].place_m - edges[i - 1].place_m;
-      if (planned > 0 && excluded == 0 && flown == 0) wrong.missed_m2 += width;
-      if (flown > 1) wrong.repeated_m2 += (flown - 1) * width;
+      const double width = marks[i].place_m - marks[i - 1].place_m;
+      if (n[planned] > 0 && n[excluded] == 0 && n[flown] == 0) wrong.missed_m2 += width;
+      if (n[flown] > 1) wrong.repeated_m2 += (n[flown] - 1) * width;
     }
-    int& count = edges[i].layer == Layer::planned    ? planned
-                 : edges[i].layer == Layer::excluded ? excluded
-                                                     : flown;
-    count += edges[i].step;
+    n[marks[i].layer] += marks[i].step;
   }
   return wrong;
 }
@@ -125,59 +124,76 @@ LandPart disc(const CircleM& circle) {
   return made;
 }
 
-LandParts widened(const std::vector<FootprintM>& footprints) {
-  LandParts all;
-  for (const FootprintM& f : footprints) {
-    const LandParts wide = widened(f.path, f.half_m);
-    all.insert(all.end(), wide.begin(), wide.end());
-  }
-  return all;
-}
-
 }  // namespace
 
-WrongArea area_in(const WindowM& window, const std::vector<FootprintM>& straight,
-                  const std::vector<CircleM>& circles, const std::vector<FootprintM>& flown,
-                  const std::vector<RingM>& rings) {
+AreaWindow::AreaWindow(const WindowM& window, const std::vector<FootprintM>& straight,
+                       const std::vector<CircleM>& circles, const std::vector<RingM>& rings)
+    : window_{window} {
   const double count = std::max(1.0, std::ceil((window.high_m - window.low_m) / line_step_m));
-  const double step_m = (window.high_m - window.low_m) / count;
-  const Lines lines{window.low_m + step_m / 2, step_m, static_cast<std::size_t>(count)};
-  std::vector<std::vector<Edge>> edges(lines.count);
-  const auto add = [&](const Spans& spans, Layer layer) {
-    for (std::size_t k = 0; k < lines.count; ++k) {
-      for (const auto& [from_m, to_m] : spans[k]) {
-        edges[k].push_back({from_m, layer, 1});
-        edges[k].push_back({to_m, layer, -1});
-      }
-    }
-  };
-  for (const FootprintM& f : straight) add(spans_of(outline(f), window, lines), Layer::planned);
-  for (const CircleM& c : circles) add(spans_of(c, window, lines), Layer::excluded);
-  for (const RingM& ring : rings) add(spans_of(ring, window, lines), Layer::excluded);
-  for (const FootprintM& f : flown) add(spans_of(outline(f), window, lines), Layer::flown);
+  lines_.step_m = (window.high_m - window.low_m) / count;
+  lines_.first_m = window.low_m + lines_.step_m / 2;
+  lines_.count = static_cast<std::size_t>(count);
+  AreaMarks marks;
+  for (const FootprintM& f : straight) mark(outline(f), planned, window_, lines_, marks);
+  for (const CircleM& c : circles) mark(c, window_, lines_, marks);
+  for (const RingM& ring : rings) mark(ring, excluded, window_, lines_, marks);
+  still_ = in_order(std::move(marks));
+}
+
+AreaMarks AreaWindow::sprayed(const std::vector<FootprintM>& footprints) const {
+  AreaMarks marks;
+  for (const FootprintM& f : footprints) mark(outline(f), flown, window_, lines_, marks);
+  return in_order(std::move(marks));
+}
+
+WrongArea AreaWindow::wrong(const std::vector<const AreaMarks*>& sprayed) const {
+  std::vector<std::pair<AreaMarks::const_iterator, AreaMarks::const_iterator>> all{
+      {still_.begin(), still_.end()}};
+  for (const AreaMarks* marks : sprayed) all.emplace_back(marks->begin(), marks->end());
   WrongArea sum{0, 0};
-  for (std::vector<Edge>& line : edges) {
-    const WrongArea wrong = on_line(line);
-    sum.missed_m2 += wrong.missed_m2 * step_m;
-    sum.repeated_m2 += wrong.repeated_m2 * step_m;
+  AreaMarks on;
+  for (std::size_t k = 0; k < lines_.count; ++k) {
+    on.clear();
+    for (auto& [next, end] : all) {
+      for (; next != end && next->line == k; ++next) on.push_back(*next);
+    }
+    const WrongArea wrong = on_line(on);
+    sum.missed_m2 += wrong.missed_m2 * lines_.step_m;
+    sum.repeated_m2 += wrong.repeated_m2 * lines_.step_m;
   }
   return sum;
 }
 
-WrongArea area_of(const std::vector<FootprintM>& straight, const std::vector<CircleM>& circles,
-                  const std::vector<FootprintM>& flown, const std::vector<RingM>& rings) {
-  const LandParts sprayed = widened(flown), once = united(sprayed);
-  // What is not sprayed is in few places: obstacles are taken from it alone.
-  LandParts missed = subtracted(united(widened(straight)), once), taken;
-  for (const CircleM& c : circles) taken.push_back(disc(c));
-  for (const RingM& ring : rings) taken.push_back({ring, {}});
-  if (!missed.empty() && !taken.empty()) missed = subtracted(missed, united(taken));
-  return {area_m2(missed), std::max(0.0, area_m2(sprayed) - area_m2(once))};
+WrongArea area_in(const WindowM& window, const std::vector<FootprintM>& straight,
+                  const std::vector<CircleM>& circles, const std::vector<FootprintM>& sprayed,
+                  const std::vector<RingM>& rings) {
+  const AreaWindow area{window, straight, circles, rings};
+  const AreaMarks marks = area.sprayed(sprayed);
+  return area.wrong({&marks});
 }
 
-double repeated_m2(const std::vector<FootprintM>& flown) {
-  const LandParts sprayed = widened(flown);
-  return std::max(0.0, area_m2(sprayed) - area_m2(united(sprayed)));
+WrongArea area_of(const std::vector<FootprintM>& straight, const std::vector<CircleM>& circles,
+                  const std::vector<FootprintM>& sprayed, const std::vector<RingM>& rings) {
+  WrongArea wrong{0, 0};
+  if (straight.empty()) return wrong;
+  const PathM& first = straight.front().path;
+  Overlay ground{RowFrame::along(first.back() - first.front())};
+  const auto add = [&](const std::vector<FootprintM>& footprints, Layer layer) {
+    for (const FootprintM& f : footprints) {
+      for (const LandPart& part : widened(f.path, f.half_m)) ground.add(part, layer);
+    }
+  };
+  add(straight, planned);
+  add(sprayed, flown);
+  for (const CircleM& c : circles) ground.add(disc(c), excluded);
+  for (const RingM& ring : rings) ground.add({ring, {}}, excluded);
+  ground.measure([&](const Overlay::Counts& n, double area_m2) {
+    if (n[planned] > 0 && n[excluded] == 0 && n[flown] == 0) wrong.missed_m2 += area_m2;
+    const int again = std::max(0, n[flown] - 1) - std::max(0, n[planned] - 1);
+    wrong.repeated_m2 += again * area_m2;
+  });
+  wrong.repeated_m2 = std::max(0.0, wrong.repeated_m2);
+  return wrong;
 }
 
 double backswept_m2(double turn_rad, double radius_m, double half_m) {

@@ -1,10 +1,11 @@
 #pragma once
-// Missed and repeated ground from footprints: fast in a window for the search, by GEOS for the
+// Missed and repeated ground from footprints: fast in a window for the search, exact for the
 // record.
 
 #include "planner/avoidance/room.hpp"
 #include "planner/coverage/plane.hpp"
 
+#include <cstddef>
 #include <vector>
 
 namespace furrow::planner {
@@ -28,18 +29,50 @@ struct WindowM {
   double low_m, high_m;
 };
 
-/// Wrong area within `window`: widths are measured exactly on lines across the pass, a quarter of a
-/// metre apart. Ground that one footprint passes twice counts once.
+/// The lines x = const that a window is measured on.
+struct WindowLines {
+  double first_m, step_m;
+  std::size_t count;
+};
+
+/// Where something begins or ends to lie on a line of a window.
+struct AreaMark {
+  std::size_t line;
+  double place_m;
+  std::size_t layer;
+  int step;  ///< 1 or -1.
+  friend bool operator==(const AreaMark&, const AreaMark&) = default;
+};
+using AreaMarks = std::vector<AreaMark>;
+
+/// Wrong area within a window for one choice of ways after another: widths are measured exactly on
+/// lines across the pass, a quarter of a metre apart.
+class AreaWindow {
+ public:
+  AreaWindow(const WindowM& window, const std::vector<FootprintM>& straight,
+             const std::vector<CircleM>& circles, const std::vector<RingM>& rings);
+
+  /// Footprints on the lines. Ground that one of them passes twice counts once.
+  AreaMarks sprayed(const std::vector<FootprintM>& footprints) const;
+
+  /// @param sprayed  All that is, as `sprayed` marks it.
+  WrongArea wrong(const std::vector<const AreaMarks*>& sprayed) const;
+
+ private:
+  WindowM window_;
+  WindowLines lines_{};
+  AreaMarks still_{};  ///< What is planned and excluded, by line.
+};
+
+/// Wrong area within `window`, once.
 WrongArea area_in(const WindowM& window, const std::vector<FootprintM>& straight,
-                  const std::vector<CircleM>& circles, const std::vector<FootprintM>& flown,
+                  const std::vector<CircleM>& circles, const std::vector<FootprintM>& sprayed,
                   const std::vector<RingM>& rings = {});
 
-/// Wrong area of everything, from the union of footprints.
+/// Wrong area of everything, from footprints with round corners, measured exactly; repeated beyond
+/// what straight passes repeat.
 WrongArea area_of(const std::vector<FootprintM>& straight, const std::vector<CircleM>& circles,
-                  const std::vector<FootprintM>& flown, const std::vector<RingM>& rings = {});
-
-/// What footprints spray again, counted each further time.
-double repeated_m2(const std::vector<FootprintM>& flown);
+                  const std::vector<FootprintM>& sprayed, const std::vector<RingM>& rings = {});
 
 /// Repeated by the inner end of a boom half as wide as `half_m` that runs backwards in turns
 /// tighter than itself: (half - r)^2 / 2 for each radian turned.

@@ -108,18 +108,23 @@ FieldOptions::Window FieldOptions::window_of(std::size_t c, const Room& room) co
   }
   Window window{
       {pass.a, frame, low_m - half_m, high_m + half_m}, {}, 0, aside_m + half_m, {}, {}, {}};
+  std::vector<FootprintM> straight;
+  std::vector<CircleM> circles;
   window.middle = along(pass, (low_m + high_m) / 2);
   window.radius_m = std::hypot((high_m - low_m) / 2 + half_m, aside_m + half_m);
   for (std::size_t p = 0; p < passes_.size(); ++p) {
     const double reach_m = window.radius_m + passes_[p].width_m / 2;
     if (distance_m(window.middle, passes_[p].a, passes_[p].b) < reach_m) {
       window.passes.push_back(p);
+      straight.push_back({{passes_[p].a, passes_[p].b}, passes_[p].width_m / 2});
     }
   }
   for (const std::size_t i : room.circles_near(window.middle, window.middle, window.radius_m)) {
-    window.circles.push_back(room.circles()[i]);
+    circles.push_back(room.circles()[i]);
   }
-  window.rings = rings_near(room, window.middle, window.radius_m);
+  const auto rings = rings_near(room, window.middle, window.radius_m);
+  window.area.emplace(window.lines, straight, circles, rings);
+  for (const FootprintM& f : straight) window.straight.push_back(window.area->sprayed({f}));
   return window;
 }
 
@@ -148,14 +153,43 @@ std::vector<FootprintM> FieldOptions::footprints(std::size_t p,
   return made;
 }
 
-double FieldOptions::wrong_m2(const Window& window, const std::vector<Taken>& taken) const {
-  std::vector<FootprintM> straight, flown;
-  for (const std::size_t p : window.passes) {
-    const PassM& pass = passes_[p];
-    straight.push_back({{pass.a, pass.b}, pass.width_m / 2});
-    for (FootprintM& f : footprints(p, taken)) flown.push_back(std::move(f));
+// @param taken  At least one; all of one pass, in order.
+FieldOptions::FlownPass FieldOptions::flown_in(const Window& window,
+                                               const std::vector<Taken>& taken) const {
+  const std::size_t p = crowds_[taken.front().crowd].pass;
+  return {p, window.area->sprayed(footprints(p, taken))};
+}
+
+std::vector<FieldOptions::FlownPass> FieldOptions::options_in(const Window& window,
+                                                              std::size_t crowd) const {
+  std::vector<FlownPass> made;
+  for (std::size_t o = 0; o < crowds_[crowd].crowd.options.size(); ++o) {
+    made.push_back(flown_in(window, {{crowd, o}}));
   }
-  return area_in(window.lines, straight, window.circles, flown, window.rings).sum_m2();
+  return made;
+}
+
+// All other passes straight.
+double FieldOptions::wrong_m2(const Window& window,
+                              const std::vector<const FlownPass*>& flown) const {
+  std::vector<const AreaMarks*> sprayed;
+  for (std::size_t i = 0; i < window.passes.size(); ++i) {
+    const AreaMarks* marks = &window.straight[i];
+    for (const FlownPass* f : flown) {
+      if (f->pass == window.passes[i]) marks = &f->marks;
+    }
+    sprayed.push_back(marks);
+  }
+  return window.area->wrong(sprayed).sum_m2();
+}
+
+FieldOptions::Alone FieldOptions::alone(std::size_t crowd) const {
+  const Window& window = windows_[crowd];
+  Alone made{wrong_m2(window, {}), {}};
+  for (const FlownPass& f : options_in(window, crowd)) {
+    made.wrong_m2.push_back(wrong_m2(window, {&f}));
+  }
+  return made;
 }
 
 // Whether their windows meet, seen along the pass of `a`.
@@ -175,20 +209,34 @@ bool FieldOptions::may_interplay(std::size_t a, std::size_t b) const {
          high.y > -one.aside_m;
 }
 
-std::optional<Interplay> FieldOptions::interplay(std::size_t a, std::size_t b) const {
+// Whether any of a crowd's options changes what the window holds.
+bool FieldOptions::shows_in(const Window& window, const std::vector<FlownPass>& options) const {
+  const auto pass = std::find(window.passes.begin(), window.passes.end(), options.front().pass);
+  if (pass == window.passes.end()) return false;
+  const auto& straight = window.straight[static_cast<std::size_t>(pass - window.passes.begin())];
+  return std::any_of(options.begin(), options.end(),
+                     [&](const FlownPass& f) { return f.marks != straight; });
+}
+
+std::optional<Interplay> FieldOptions::interplay(std::size_t a, const Alone& a_alone,
+                                                 std::size_t b) const {
   const Window& window = windows_[a];
-  const auto options_a = crowds_[a].crowd.options.size(),
-             options_b = crowds_[b].crowd.options.size();
-  const double none_m2 = wrong_m2(window, {});
+  const std::vector<FlownPass> of_b = options_in(window, b);
+  if (!shows_in(window, of_b)) return std::nullopt;
+  const std::vector<FlownPass> of_a = options_in(window, a);
+  const bool is_one_pass = crowds_[a].pass == crowds_[b].pass;
   std::vector<double> only_b;
-  for (std::size_t ob = 0; ob < options_b; ++ob) only_b.push_back(wrong_m2(window, {{b, ob}}));
+  only_b.reserve(of_b.size());
+  for (const FlownPass& f : of_b) only_b.push_back(wrong_m2(window, {&f}));
   Interplay made{a, b, {}};
   bool matters = false;
-  for (std::size_t oa = 0; oa < options_a; ++oa) {
-    const double only_a_m2 = wrong_m2(window, {{a, oa}});
-    for (std::size_t ob = 0; ob < options_b; ++ob) {
-      const double both_m2 = wrong_m2(window, {{a, oa}, {b, ob}});
-      const double more_m2 = both_m2 - only_a_m2 - only_b[ob] + none_m2;
+  for (std::size_t oa = 0; oa < of_a.size(); ++oa) {
+    for (std::size_t ob = 0; ob < of_b.size(); ++ob) {
+      std::optional<FlownPass> both;
+      if (is_one_pass) both = flown_in(window, {{a, oa}, {b, ob}});
+      const double both_m2 =
+          both ? wrong_m2(window, {&*both}) : wrong_m2(window, {&of_a[oa], &of_b[ob]});
+      const double more_m2 = both_m2 - a_alone.wrong_m2[oa] - only_b[ob] + a_alone.none_m2;
       matters = matters || std::abs(more_m2) > nothing_m2;
       made.wrong_m2.push_back(more_m2);
     }
@@ -208,13 +256,14 @@ SelectionProblem FieldOptions::problem(double length_weight, double area_weight)
     made.straight_m += pass.length_m();
     made.planned_m2 += pass.length_m() * pass.width_m;
   }
+  std::vector<Alone> by_itself;
   for (std::size_t c = 0; c < crowds_.size(); ++c) {
     const double half_m = passes_[crowds_[c].pass].width_m / 2;
-    const double none_m2 = wrong_m2(windows_[c], {});
+    const Alone& alone_here = by_itself.emplace_back(alone(c));
     std::vector<OptionCost>& costs = made.crowds.emplace_back();
     for (std::size_t o = 0; o < crowds_[c].crowd.options.size(); ++o) {
       const CrowdOption& option = crowds_[c].crowd.options[o];
-      double wrong = wrong_m2(windows_[c], {{c, o}}) - none_m2;
+      double wrong = alone_here.wrong_m2[o] - alone_here.none_m2;
       if (option.conduct == Conduct::sprayed) wrong += backswept_of(option.curve, half_m);
       costs.push_back({option.extra_m, wrong});
     }
@@ -222,7 +271,8 @@ SelectionProblem FieldOptions::problem(double length_weight, double area_weight)
   for (std::size_t a = 0; a < crowds_.size(); ++a) {
     for (std::size_t b = a + 1; b < crowds_.size(); ++b) {
       if (!may_interplay(a, b)) continue;
-      if (auto shared = interplay(a, b)) made.interplays.push_back(std::move(*shared));
+      if (auto shared = interplay(a, by_itself[a], b))
+        made.interplays.push_back(std::move(*shared));
     }
   }
   return made;

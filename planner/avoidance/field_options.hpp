@@ -42,18 +42,32 @@ class FieldOptions {
     double radius_m;                  // around the middle, and
     double aside_m;                   // to each side of the pass, all that the options may change
     std::vector<std::size_t> passes;  // whose footprints may reach into it
-    std::vector<CircleM> circles;
-    std::vector<RingM> rings;
+    std::optional<AreaWindow> area;
+    std::vector<AreaMarks> straight;  // each of these passes
   };
   struct Taken {
     std::size_t crowd, option;
   };
+  // A pass with some options taken, in a window.
+  struct FlownPass {
+    std::size_t pass;
+    AreaMarks marks;
+  };
+  // Of one crowd in its window: no option taken, and each.
+  struct Alone {
+    double none_m2;
+    std::vector<double> wrong_m2;
+  };
 
   Window window_of(std::size_t crowd, const Room& room) const;
   std::vector<FootprintM> footprints(std::size_t pass, const std::vector<Taken>& taken) const;
-  double wrong_m2(const Window& window, const std::vector<Taken>& taken) const;
+  FlownPass flown_in(const Window& window, const std::vector<Taken>& taken) const;
+  std::vector<FlownPass> options_in(const Window& window, std::size_t crowd) const;
+  double wrong_m2(const Window& window, const std::vector<const FlownPass*>& flown) const;
+  Alone alone(std::size_t crowd) const;
   bool may_interplay(std::size_t a, std::size_t b) const;
-  std::optional<Interplay> interplay(std::size_t a, std::size_t b) const;
+  bool shows_in(const Window& window, const std::vector<FlownPass>& options) const;
+  std::optional<Interplay> interplay(std::size_t a, const Alone& a_alone, std::size_t b) const;
 
   std::vector<PassM> passes_;
   std::vector<PlacedCrowd> crowds_;  // in the order of passes, then along each

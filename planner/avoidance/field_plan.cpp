@@ -139,9 +139,8 @@ void set_areas(AvoidanceFigures& figures, const FieldOptions& field, const Room&
   std::vector<RingM> rings;
   for (const BarrierM& barrier : room.barriers()) rings.push_back(barrier.ring);
   const WrongArea area = area_of(field.straight(), room.circles(), flown, rings);
-  const double without_m2 = repeated_m2(field.straight());
   figures.missed = square_metres(area.missed_m2);
-  figures.repeated = square_metres(std::max(0.0, area.repeated_m2 - without_m2) + backswept_m2);
+  figures.repeated = square_metres(area.repeated_m2 + backswept_m2);
 }
 
 // Half circles over what stands beside the line too, where one over a target would enter it.

@@ -1,6 +1,7 @@
 #include "planner/coverage/swath/areas.hpp"
 
 #include "planner/coverage/geos.hpp"
+#include "planner/coverage/overlay.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -124,6 +125,15 @@ LandParts footprints(const std::vector<SprayedRun>& runs) {
   return made;
 }
 
+// Of the first leg, if there is one.
+RowFrame frame_along(const std::vector<SprayedRun>& runs) {
+  for (const SprayedRun& run : runs) {
+    const PathM path = without_repeats(run.path);
+    if (path.size() > 1) return RowFrame::along(path[1] - path[0]);
+  }
+  return RowFrame{1, 0};
+}
+
 // One by one, the largest first: what is left is small, and later ones touch little of it.
 LandParts less(const LandParts& land, LandParts taken) {
   std::stable_sort(taken.begin(), taken.end(),
@@ -136,11 +146,17 @@ LandParts less(const LandParts& land, LandParts taken) {
 }  // namespace
 
 SprayedAreas sprayed_areas(const std::vector<SprayedRun>& runs, const LandParts& land) {
-  const LandParts all = united(footprints(runs));
-  double sprayed_m2 = 0;
+  enum Kind : std::size_t { flown, owned };
+  Overlay ground{frame_along(runs)};
+  for (const LandPart& part : footprints(runs)) ground.add(part, flown);
+  for (const LandPart& part : land) ground.add(part, owned);
+  double sprayed_m2 = 0, once_m2 = 0, outside_m2 = 0;
   for (const SprayedRun& run : runs) sprayed_m2 += swept_m2(run);
-  const double once_m2 = area_m2(all);
-  const double outside_m2 = all.empty() ? 0 : area_m2(subtracted(all, land));
+  ground.measure([&](const Overlay::Counts& n, double area_m2) {
+    if (n[flown] == 0) return;
+    once_m2 += area_m2;
+    if (n[owned] == 0) outside_m2 += area_m2;
+  });
   const double covered_m2 = once_m2 - outside_m2;
   return {.sprayed = square_metres(sprayed_m2),
           .covered = square_metres(covered_m2),

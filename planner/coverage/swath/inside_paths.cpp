@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <queue>
 #include <utility>
 
@@ -17,6 +18,8 @@ InsidePaths::InsidePaths(const LandPart& part) : grid_{part}, rings_{part.outer}
   rings_.insert(rings_.end(), part.holes.begin(), part.holes.end());
   for (const RingM& ring : rings_) add_corners(ring);
   links_.resize(corners_.size());
+  all_rings_.resize(ring_corners_.size());
+  std::iota(all_rings_.begin(), all_rings_.end(), std::size_t{0});
 }
 
 void InsidePaths::add_corners(const RingM& ring) {
@@ -62,22 +65,29 @@ bool InsidePaths::may_bend_to(const Corner& here, const RingCorners& ring) const
          !(to_before < -slack_before && to_after > slack_after);
 }
 
-const std::vector<InsidePaths::Link>& InsidePaths::links_of(std::size_t corner) const {
-  std::optional<std::vector<Link>>& known = links_[corner];
-  if (known) return *known;
-  known.emplace();
+// Calls `use(link)` for the corners that a way may bend at next, seen or not.
+template <class Use>
+void InsidePaths::each_bend_from(std::size_t corner, Use use) const {
   const Corner& here = corners_[corner];
   for (const RingCorners& ring : ring_corners_) {
     if (!may_bend_to(here, ring)) continue;
     for (std::size_t other = ring.first; other < ring.stop; ++other) {
       const Corner& there = corners_[other];
-      if (other == corner || !bends_around(there.at, here) || !bends_around(here.at, there) ||
-          !grid_.sees(here.at, there.at)) {
+      if (other == corner || !bends_around(there.at, here) || !bends_around(here.at, there)) {
         continue;
       }
-      known->push_back({other, norm(there.at - here.at)});
+      use(Link{other, norm(there.at - here.at)});
     }
   }
+}
+
+const std::vector<InsidePaths::Link>& InsidePaths::links_of(std::size_t corner) const {
+  std::optional<std::vector<Link>>& known = links_[corner];
+  if (known) return *known;
+  known.emplace();
+  each_bend_from(corner, [&](const Link& link) {
+    if (grid_.sees(corners_[corner].at, corners_[link.to].at)) known->push_back(link);
+  });
   return *known;
 }
 
@@ -121,10 +131,16 @@ InsidePaths::Fan InsidePaths::fan(PointM from) const {
     }
   }
   while (!open.empty()) {
-    const auto [length_m, corner] = open.top();
+    const double length_m = open.top().first;
+    const std::size_t corner = open.top().second;
     open.pop();
     if (length_m > made.corner_m[corner]) continue;
-    for (const Link& link : links_of(corner)) reach(link.to, length_m + link.length_m, corner);
+    // Looked along only where that would be shorter: few links are.
+    each_bend_from(corner, [&](const Link& link) {
+      if (length_m + link.length_m >= made.corner_m[link.to]) return;
+      if (!grid_.sees(corners_[corner].at, corners_[link.to].at)) return;
+      reach(link.to, length_m + link.length_m, corner);
+    });
   }
   for (const RingCorners& ring : ring_corners_) {
     const auto first = made.corner_m.begin() + static_cast<std::ptrdiff_t>(ring.first);
@@ -135,10 +151,10 @@ InsidePaths::Fan InsidePaths::fan(PointM from) const {
 }
 
 // The shortest way past a corner, if it is shorter than `longest_m`.
-std::optional<InsidePaths::Arrival> InsidePaths::past_within(const Fan& fan, PointM to,
-                                                             double longest_m) const {
+std::optional<InsidePaths::Arrival> InsidePaths::past_within(
+    const Fan& fan, PointM to, double longest_m, std::span<const std::size_t> rings) const {
   std::vector<Open> open;
-  for (std::size_t r = 0; r < ring_corners_.size(); ++r) {
+  for (const std::size_t r : rings) {
     const RingCorners& ring = ring_corners_[r];
     const double least_m = fan.ring_m[r] - ring.radius_m;  // and the way to its middle
     if (norm(to - ring.middle) >= longest_m - least_m) continue;
@@ -155,18 +171,19 @@ std::optional<InsidePaths::Arrival> InsidePaths::past_within(const Fan& fan, Poi
 }
 
 // The shortest of `known` and the ways past a corner. Most ways are hardly longer than straight.
-InsidePaths::Arrival InsidePaths::nearest_past(const Fan& fan, PointM to, Arrival known) const {
+InsidePaths::Arrival InsidePaths::nearest_past(const Fan& fan, PointM to, Arrival known,
+                                               std::span<const std::size_t> rings) const {
   for (const double hardly : {1.01, 1.1}) {
     const double near_m = hardly * norm(to - fan.from);
     if (near_m >= known.way_m) break;
-    if (const auto found = past_within(fan, to, near_m)) return *found;
+    if (const auto found = past_within(fan, to, near_m, rings)) return *found;
   }
-  return past_within(fan, to, known.way_m).value_or(known);
+  return past_within(fan, to, known.way_m, rings).value_or(known);
 }
 
 InsidePaths::Arrival InsidePaths::arrival(const Fan& fan, PointM to) const {
   if (is_convex() || grid_.sees(fan.from, to)) return {norm(to - fan.from), straight};
-  return nearest_past(fan, to, {INFINITY, straight});
+  return nearest_past(fan, to, {INFINITY, straight}, all_rings_);
 }
 
 double InsidePaths::way_m(const Fan& fan, PointM to) const { return arrival(fan, to).way_m; }
@@ -199,6 +216,21 @@ bool InsidePaths::is_clear(PointM apex, PointM a, PointM b) const {
   });
 }
 
+// Those past whose corners a way to a place of the line may be shorter than past `apex`.
+std::vector<std::size_t> InsidePaths::rings_near(const Fan& fan, std::span<const PointM> line,
+                                                 double to_apex_m, PointM apex) const {
+  const double longest_m =
+      to_apex_m + std::max(norm(line.front() - apex), norm(line.back() - apex));
+  std::vector<std::size_t> near;
+  for (std::size_t r = 0; r < ring_corners_.size(); ++r) {
+    const RingCorners& ring = ring_corners_[r];
+    const double least_m = fan.ring_m[r] - ring.radius_m + EdgeGrid::touch_m;
+    const double way_m = distance_m(ring.middle, line.front(), line.back()) - EdgeGrid::touch_m;
+    if (way_m < longest_m - least_m) near.push_back(r);
+  }
+  return near;
+}
+
 // Everything between the ends of a line.
 void InsidePaths::fill(const Fan& fan, std::span<const PointM> line, Arrival first, Arrival last,
                        std::span<double> ways_m) const {
@@ -210,9 +242,11 @@ void InsidePaths::fill(const Fan& fan, std::span<const PointM> line, Arrival fir
     const double to_apex_m = is_straight ? 0.0 : fan.corner_m[first.past];
     // Around holes another way may be shorter in the middle of a line though at no end of it.
     const bool may_be_shorter = !is_straight && rings_.size() > 1;
+    const auto rings =
+        may_be_shorter ? rings_near(fan, line, to_apex_m, apex) : std::vector<std::size_t>{};
     for (std::size_t i = 1; i + 1 < line.size(); ++i) {
       const Arrival past{to_apex_m + norm(line[i] - apex), first.past};
-      ways_m[i] = may_be_shorter ? nearest_past(fan, line[i], past).way_m : past.way_m;
+      ways_m[i] = may_be_shorter ? nearest_past(fan, line[i], past, rings).way_m : past.way_m;
     }
     return;
   }

@@ -74,14 +74,20 @@ class InsidePaths {
   bool bends_around(PointM from, const Corner& corner) const;
   bool may_bend_to(const Corner& here, const RingCorners& ring) const;
   Arrival arrival(const Fan& fan, PointM to) const;
-  Arrival nearest_past(const Fan& fan, PointM to, Arrival known) const;
+  Arrival nearest_past(const Fan& fan, PointM to, Arrival known,
+                       std::span<const std::size_t> rings) const;
   /// From `from` past the corners that lead to `last`.
   PathM traced(PointM from, const std::vector<std::size_t>& before, std::size_t last,
                PointM to) const;
-  std::optional<Arrival> past_within(const Fan& fan, PointM to, double longest_m) const;
+  std::optional<Arrival> past_within(const Fan& fan, PointM to, double longest_m,
+                                     std::span<const std::size_t> rings) const;
+  std::vector<std::size_t> rings_near(const Fan& fan, std::span<const PointM> line,
+                                      double to_apex_m, PointM apex) const;
   bool is_clear(PointM apex, PointM a, PointM b) const;
   void fill(const Fan& fan, std::span<const PointM> line, Arrival first, Arrival last,
             std::span<double> ways_m) const;
+  template <class Use>
+  void each_bend_from(std::size_t corner, Use use) const;
   const std::vector<Link>& links_of(std::size_t corner) const;
   std::optional<PathM> along_ring(PointM a, PointM b) const;
   std::optional<PathM> search(PointM a, PointM b, double longest_m) const;
@@ -90,6 +96,7 @@ class InsidePaths {
   std::vector<RingM> rings_;
   std::vector<Corner> corners_;
   std::vector<RingCorners> ring_corners_;                        ///< Of the rings that have some.
+  std::vector<std::size_t> all_rings_;                           ///< Numbers of these.
   mutable std::vector<std::optional<std::vector<Link>>> links_;  ///< Filled when first needed.
 };
 
