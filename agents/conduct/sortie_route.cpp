@@ -234,20 +234,31 @@ void settle(SortieRoute& route) {
 }
 
 // A piece that an obstacle stands on the end of, or near it, up to there. Where nothing is left it
-// stays.
-Piece clear_part(Piece piece, const Surroundings& around, Length swath) {
-  const auto part = around.clear_part(piece.entry, piece.exit, swath);
-  if (!part || (part->from == piece.entry && part->to == piece.exit)) return piece;
-  const Xy entry = xy_m(part->from), exit = xy_m(part->to), way = exit - entry;
+// stays. `from` is where its straight line begins, unless a step leads to that.
+Piece clear_line(Piece piece, FieldPoint from, const Surroundings& around, Length swath) {
+  const auto part = around.clear_part(from, piece.exit, swath);
+  if (!part || (part->from == from && part->to == piece.exit)) return piece;
+  const Xy begin = xy_m(part->from), way = xy_m(part->to) - begin;
   const auto within = [&](FieldPoint p) {
-    const double share = dot(xy_m(p) - entry, way) / dot(way, way);
+    const double share = dot(xy_m(p) - begin, way) / dot(way, way);
     return share <= 0.0 ? part->from : share >= 1.0 ? part->to : p;
   };
   piece.from = within(piece.from);
   piece.to = within(piece.to);
-  piece.entry = part->from;
+  if (piece.entry == from) piece.entry = part->from;
   piece.exit = part->to;
   return piece;
+}
+
+Piece clear_part(const Piece& piece, const Surroundings& around, Length swath) {
+  const bool begins_with_step =
+      piece.exit == piece.to && !(piece.entry == piece.from) && !(piece.from == piece.to);
+  if (!begins_with_step) return clear_line(piece, piece.entry, around, swath);
+  Piece part = clear_line(piece, piece.from, around, swath);
+  const bool leads_on = !around.is_too_near(part.entry) &&
+                        around.strip_bends(part.entry, part.from, swath).has_value();
+  if (!leads_on) part.entry = part.from;
+  return part;
 }
 
 double work_end_m(const SortieRoute& route, std::size_t piece) {

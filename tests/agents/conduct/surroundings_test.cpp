@@ -133,6 +133,18 @@ TEST_CASE("a strip that begins or ends in a tree is flown as far as it is clear,
   CHECK(route_of(strip(), alley(200, {{at_m(1, 50), metres(60)}})).blocked_m);
 }
 
+TEST_CASE("a strip of cells with a tree at the step that leads to it stays on its own line") {
+  // From the strip at x = 0 over to the one at x = 4 and down that.
+  const Piece piece{{0, 49}, at_m(0, 96), at_m(4, 96), at_m(4, 0), at_m(4, 0)};
+  for (const SeenObstacle& seen : {tree(0, 97), tree(4, 97), tree(2, 98.5)}) {
+    const SortieRoute route = route_of(piece, alley(40, {seen}));
+    CHECK_FALSE(route.blocked_m);
+    CHECK(least_distance_m(route, no_stop, at_m(4, 50)) < 0.03);
+    CHECK(least_distance_m(route, no_stop, at_m(4, 90)) < 0.03);
+    CHECK(least_distance_m(route, no_stop, seen.center) > 3 - 1e-3);
+  }
+}
+
 TEST_CASE("a strip without room for a detour is blocked before the clearance") {
   const SortieRoute route = route_of(strip(), alley(2.9, {tree(0, 50)}));
   REQUIRE(route.blocked_m);
