@@ -64,7 +64,7 @@ Field without_boundary(Field field) {
 }
 
 // On board, as strips are led around the obstacles that the plan knows.
-agents::AvoidanceRule avoidance_rule(const Scenario& scenario) {
+planner::AvoidanceRule avoidance_rule(const Scenario& scenario) {
   if (scenario.surprises.empty()) return {};
   const auto coverage = fleet_problem(scenario).coverage;
   const auto& avoidance = planner::avoidance_of(coverage);
@@ -190,7 +190,8 @@ AnyNode scheduler_node(const Scenario& scenario, const scheduler::FleetPlan& pla
                                            .mission_limit = scenario.mission_limit,
                                            .orders = operator_orders(scenario),
                                            .separation = scenario.separation,
-                                           .stations = scenario.stations}}};
+                                           .stations = scenario.stations,
+                                           .avoidance = avoidance_rule(scenario)}}};
 }
 
 AnyNode supply_node(const Scenario& scenario, StationId station) {

@@ -40,6 +40,11 @@ FlightTimes::FlightTimes(const planner::Route& route,
     resume_late_s_ = problem.hills->resume_late_s;
   }
   const std::uint32_t begin = problem.cells.first;
+  double detours_m = 0.0;
+  for (std::uint32_t c = begin; c < end(problem.cells) && !route.detours.empty(); ++c) {
+    detours_m += route.detours[c].longer_m;
+    detours_s_.push_back(detours_m / vehicle_.spray_speed.base());
+  }
   for (const planner::Strip& strip : route.strips) {
     const std::uint32_t first = std::max(strip.cells.first, begin);
     const std::uint32_t stop = std::min(end(strip.cells), end(problem.cells));
@@ -174,6 +179,9 @@ SortieTimes FlightTimes::operator()(const planner::PlannedSortie& sortie, bool i
     lead(legs, first, last);
     const std::size_t sprayed = spray_last(legs);
     times = share_.of(legs.all(), sprayed);
+  }
+  if (!detours_s_.empty()) {  // a later sortie begins after its first cell
+    times.until_sprayed_s += detours_s_[sortie.last] - (is_first ? 0.0 : detours_s_[sortie.first]);
   }
   if (!late_s_.empty()) {
     times.until_sprayed_s += stands_[ends.from].late_out_s[sortie.first] +

@@ -24,7 +24,7 @@ namespace furrow::scheduler {
 /// p = min(v, sqrt(a s + (u^2 + w^2) / 2)), and the rest at p. From rest to rest that is s / v + v
 /// / a where v is reached, and 2 sqrt(s / a) where not. Speeds from which the next corner could not
 /// be met are lowered from the end of the way backwards. Over hills a flight takes longer by what
-/// slopes slow it down on the way, as the problem says.
+/// slopes slow it down on the way, as the problem says, and everywhere by the route's detours.
 class FlightTimes {
  public:
   /// The route and the problem are copied from, not kept.
@@ -80,6 +80,7 @@ class FlightTimes {
   planner::FerryMap ferries_;
   std::vector<Stand> stands_{};
   std::vector<double> late_s_{}, resume_late_s_{};  // by cell, as of the stands
+  std::vector<double> detours_s_{};  // around obstacles met, in and before each cell of the share
   // As asked for: by cell those that bend, and from home or station to the first cell of a run.
   mutable std::map<std::pair<std::uint32_t, std::uint32_t>, Places> ways_home_{};
   mutable std::map<std::tuple<bool, std::uint32_t, std::uint32_t>, Places> ways_out_{};

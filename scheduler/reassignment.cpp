@@ -2,6 +2,7 @@
 // what blocks a strip.
 
 #include "core/require.hpp"
+#include "scheduler/detours.hpp"
 #include "scheduler/events.hpp"
 #include "scheduler/orders.hpp"
 #include "scheduler/remnant.hpp"
@@ -182,6 +183,36 @@ void SchedulerNode::share_anew(Instant now, Outbox& out, bool whatever_it_takes)
   members_ = std::move(revised);
   for (std::size_t i = 0; i < who.size(); ++i) {
     extend(members_[who[i]], std::move(shared.additions[i]), out);
+  }
+}
+
+/// The metres that ways around obstacles met add to the open cells of its list.
+double SchedulerNode::detours_left_m(const Member& m) const {
+  const std::vector<planner::MetDetour>& by_cell = settings_.plan.route.detours;
+  double sum_m = 0.0;
+  if (by_cell.empty()) return sum_m;
+  for (const CellRange open : open_cells(m)) {
+    for (std::uint32_t c = open.first; c < end(open); ++c) sum_m += by_cell[c].longer_m;
+  }
+  return sum_m;
+}
+
+/// Counts the ways around all obstacles met so far.
+void SchedulerNode::foresee_detours(Instant now) {
+  const KeptObstacle& met = obstacles_.back();
+  const FieldPoint at = met.obstacle.center;
+  room_ = room_.with({{{at.x.base(), at.y.base()}, (met.obstacle.radius + met.clearance).base()}});
+  std::vector<double> before_m;
+  before_m.reserve(members_.size());
+  for (const Member& m : members_) before_m.push_back(detours_left_m(m));
+  planner::Route& route = settings_.plan.route;
+  route.detours =
+      detours(route, room_, settings_.avoidance.turn_radius, settings_.avoidance.weights);
+  const double now_s = seconds(now.time_since_epoch()).base();
+  for (std::size_t i = 0; i < members_.size(); ++i) {
+    Member& m = members_[i];
+    const double more_m = detours_left_m(m) - before_m[i];
+    if (m.lands_s > now_s) m.lands_s += more_m / m.vehicle.spray_speed.base();
   }
 }
 

@@ -59,6 +59,7 @@ Remnant remnant(const planner::Route& whole, std::span<const CellRange> runs) {
     for (std::uint32_t c = strip.cells.first; c < end(strip.cells); ++c) {
       left.cells.push_back(c);
       left.route.centers.push_back(whole.centers[c]);
+      if (!whole.detours.empty()) left.route.detours.push_back(whole.detours[c]);
     }
     strip.cells.first = first;
   }

@@ -49,6 +49,7 @@ std::string missed_detail(const planner::Route& route) {
 SchedulerNode::SchedulerNode(SchedulerSettings settings)
     : settings_{std::move(settings)},
       ledger_{static_cast<std::uint32_t>(settings_.plan.route.centers.size())},
+      room_{settings_.avoidance.planned},
       losses_(settings_.plan.route.strips.size(), 0) {
   require(settings_.windows_ahead >= 1, "an agent has a window to work on");
   require(number(settings_.epoch) > 0, "an epoch is counted from 1");
@@ -184,6 +185,7 @@ void SchedulerNode::hear(const ObstacleSeen& seen, Instant now, Outbox& out) {
   out.messages.push_back(event("obstacle_planned", text(m->agent) + " met an obstacle" +
                                                        text(seen.obstacle) +
                                                        ", which all fly around from now on"));
+  foresee_detours(now);
   for (Member& other : members_) {
     if (!is_down(other)) revise(other);
   }

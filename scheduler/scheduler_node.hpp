@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/node.hpp"
+#include "planner/avoidance/onboard.hpp"
 #include "scheduler/airspace.hpp"
 #include "scheduler/blockage.hpp"
 #include "scheduler/fleet_plan.hpp"
@@ -33,6 +34,7 @@ struct SchedulerSettings {
   std::optional<Length> separation{};
   /// Of the mission, whether the plan goes there or not; those of the plan need not be named.
   std::vector<Station> stations{};
+  planner::AvoidanceRule avoidance{};  ///< By which aircraft fly around obstacles.
 };
 
 /// The scheduler of a mission as a node.
@@ -56,8 +58,9 @@ struct SchedulerSettings {
 /// planned anew for those that are left, be they in the plan or not.
 ///
 /// An obstacle that an aircraft meets is told to all that still fly or will, by a new revision with
-/// the same work. Where it blocks a strip, the cells beside it are given up, and the rest of the
-/// strip is flown to from behind it, next in the list of the aircraft that met it.
+/// the same work. From then on forecasts count the ways around it. Where it blocks a strip, the
+/// cells beside it are given up, and the rest of the strip is flown to from behind it, next in the
+/// list of the aircraft that met it.
 ///
 /// What the operator orders becomes a level that every agent is told again and again. An agent that
 /// is taken out closes its windows on the way home; the rest of its list is shared over the others.
@@ -157,6 +160,8 @@ class SchedulerNode {
   void welcome(Instant now, Outbox& out);
   void share_anew(Instant now, Outbox& out, bool whatever_it_takes = false);
   void plan_for_failed_supply(Instant now, Outbox& out);
+  void foresee_detours(Instant now);
+  double detours_left_m(const Member& m) const;
   std::vector<CellRange> take_back(Member& m, Instant now);
   void revise(Member& m);
   bool can_take_more(const Member& m, Instant now) const;
@@ -187,6 +192,7 @@ class SchedulerNode {
   bool has_supply_failed_ = false;         ///< And that is not planned for yet.
   std::vector<CellRange> orphans_{};       ///< Open cells of lost agents, not yet shared out.
   std::vector<KeptObstacle> obstacles_{};  ///< Met in flight, in the order heard of.
+  planner::Room room_;                     ///< With these.
   std::vector<std::uint32_t> losses_;      ///< By strip: agents lost at work on it.
   FleetLevel level_ = FleetLevel::fly;
   std::optional<Instant> held_since_{};  ///< Nobody works; forecasts count up to here.

@@ -13,35 +13,15 @@ using Bends = std::vector<FieldPoint>;
 constexpr double tight_turn_m = 0.01;  // on the spot
 constexpr double same_place_m = 1e-6;
 constexpr double way_out_m = 0.05;  // beyond the clearance
-constexpr int most_crowds = 100;    // on one leg
-
-// From one crowd of obstacles to the next.
-std::optional<std::vector<StripBend>> detours(FieldPoint from, FieldPoint to, Length swath,
-                                              const planner::Room& room, Length turn_radius,
-                                              planner::DetourWeights weights) {
-  const Xy ahead = xy_m(to) - xy_m(from);
-  if (norm(ahead) < same_place_m) return std::nullopt;  // and that place is too near
-  planner::OnboardLine line{{from, std::atan2(ahead.y, ahead.x)}, from, to, swath};
-  std::vector<StripBend> all;
-  for (int i = 0; i < most_crowds; ++i) {
-    const auto detour = planner::onboard_detour(line, room, turn_radius, weights);
-    if (!detour && detour.error() == planner::NoDetour::nothing_ahead) return all;
-    if (!detour || detour->way.size() < 2) return std::nullopt;  // or it leads nowhere
-    for (std::size_t k = 1; k < detour->way.size(); ++k) {
-      all.push_back({detour->way[k], detour->sprays || k <= detour->leaves});
-    }
-    line.pose.at = all.back().at;
-  }
-  return std::nullopt;
-}
 
 // Of a ferry, as short as can be.
 std::optional<Bends> bends(FieldPoint from, FieldPoint to, Length swath, const planner::Room& room,
                            Length turn_radius) {
-  const auto found = detours(from, to, swath, room, turn_radius, {.length = 1.0, .area = 0.0});
+  const auto found =
+      planner::onboard_way(from, to, swath, room, turn_radius, {.length = 1.0, .area = 0.0});
   if (!found) return std::nullopt;
   Bends all;
-  for (const StripBend& bend : *found) all.push_back(bend.at);
+  for (const StripBend& bend : found->bends) all.push_back(bend.at);
   return all;
 }
 
@@ -156,7 +136,9 @@ std::optional<Surroundings::ClearPart> Surroundings::clear_part(FieldPoint from,
 std::optional<std::vector<StripBend>> Surroundings::strip_bends(FieldPoint from, FieldPoint to,
                                                                 Length swath) const {
   if (!clear_m(from, to)) return std::vector<StripBend>{};
-  return detours(from, to, swath, room_, rule_.turn_radius, rule_.weights);
+  auto way = planner::onboard_way(from, to, swath, room_, rule_.turn_radius, rule_.weights);
+  if (!way) return std::nullopt;
+  return std::move(way->bends);
 }
 
 // The nearest place clear of the obstacle that is too near, if one is.

@@ -10,20 +10,8 @@
 
 namespace furrow::agents {
 
-/// How obstacles are kept away from.
-struct AvoidanceRule {
-  planner::Room planned{{}, {}, {}};  ///< The land with the obstacles that the plan knew.
-  planner::Room beyond{{}, {}, {}};   ///< The same without the field's boundary.
-  Length clearance{};                 ///< From the edge of every other, >= 0.
-  Length turn_radius = metres(1);     ///< Of detours on strips, > 0.
-  planner::DetourWeights weights{};   ///< By which they are chosen.
-};
-
-/// A way point on a strip around what was seen.
-struct StripBend {
-  FieldPoint at;
-  bool sprays;  ///< Whether the valve is open on the way to it.
-};
+using planner::AvoidanceRule;
+using StripBend = planner::OnboardBend;  ///< On a strip around what was seen.
 
 /// A ferry around what was seen.
 struct FerryBends {

@@ -9,6 +9,7 @@
 namespace furrow::planner {
 namespace {
 
+constexpr int most_crowds = 100;  // on one line
 constexpr double on_line_m = 1e-6, on_line_rad = 1e-6, same_place_m = 1e-6;
 
 PointM plane(FieldPoint p) { return {p.x.base(), p.y.base()}; }
@@ -120,6 +121,28 @@ Expected<OnboardDetour, NoDetour> onboard_detour(const OnboardLine& line, const 
   made.length += metres(best->low_m + length_m(best->curve));
   made.side = best->sides.front();
   return made;
+}
+
+std::optional<OnboardWay> onboard_way(FieldPoint from, FieldPoint to, Length swath,
+                                      const Room& room, Length turn_radius, DetourWeights weights) {
+  const PointM ahead = plane(to) - plane(from);
+  if (norm(ahead) < same_place_m) return std::nullopt;
+  OnboardLine line{{from, std::atan2(ahead.y, ahead.x)}, from, to, swath};
+  OnboardWay made;
+  for (int i = 0; i < most_crowds; ++i) {
+    const auto detour = onboard_detour(line, room, turn_radius, weights);
+    if (!detour && detour.error() == NoDetour::nothing_ahead) return made;
+    if (!detour || detour->way.size() < 2) return std::nullopt;  // or it leads nowhere
+    for (std::size_t k = 1; k < detour->way.size(); ++k) {
+      made.bends.push_back({detour->way[k], detour->sprays || k <= detour->leaves});
+    }
+    made.longer += detour->length - distance(line.pose.at, detour->way.back());
+    if (!detour->sprays) {
+      made.dry += detour->length - distance(line.pose.at, detour->way[detour->leaves]);
+    }
+    line.pose.at = detour->way.back();
+  }
+  return std::nullopt;
 }
 
 }  // namespace furrow::planner

@@ -6,6 +6,7 @@
 #include "planner/avoidance/dubins.hpp"
 #include "planner/avoidance/room.hpp"
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -31,6 +32,15 @@ struct OnboardDetour {
 /// AvoidanceSettings.
 struct DetourWeights {
   double length = 0.5, area = 0.5;
+};
+
+/// How obstacles that no plan knew are kept away from.
+struct AvoidanceRule {
+  Room planned{{}, {}, {}};        ///< The land with the obstacles that the plan knew.
+  Room beyond{{}, {}, {}};         ///< The same without the field's boundary.
+  Length clearance{};              ///< From the edge of every other, >= 0.
+  Length turn_radius = metres(1);  ///< Of detours on strips, > 0.
+  DetourWeights weights{};         ///< By which they are chosen.
 };
 
 /// Why there is none.
@@ -59,5 +69,24 @@ constexpr std::string_view name(NoDetour why) {
 /// Cost: below 1 ms for a few obstacles.
 Expected<OnboardDetour, NoDetour> onboard_detour(const OnboardLine& line, const Room& room,
                                                  Length turn_radius, DetourWeights weights = {});
+
+/// A way point around obstacles.
+struct OnboardBend {
+  FieldPoint at;
+  bool sprays;  ///< Whether the valve is open on the way to it.
+};
+
+/// A line with its detours, one after another.
+struct OnboardWay {
+  std::vector<OnboardBend> bends{};  ///< All but its ends; none where the line is clear.
+  Length longer{};                   ///< Than the line.
+  Length dry{};                      ///< Flown around with the valve closed.
+};
+
+/// The way from `from` to `to` around all that `room` holds, as an aircraft on that line finds it.
+/// @return  Nothing where no detour fits, or the ends are one place.
+std::optional<OnboardWay> onboard_way(FieldPoint from, FieldPoint to, Length swath,
+                                      const Room& room, Length turn_radius,
+                                      DetourWeights weights = {});
 
 }  // namespace furrow::planner

@@ -132,6 +132,7 @@ std::vector<CellStop> cell_stops(const Route& route, CellRange cells) {
   stops.reserve(cells.count);
   // Cells are counted, so that sums do not drift.
   double moves = 0.0, ends_m = 0.0;
+  MetDetour around;
   for (std::size_t s = strip_of(route, cells.first); stops.size() < cells.count; ++s) {
     const Strip& strip = route.strips[s];
     const double cell_m = cell_length(route, strip).base();
@@ -153,8 +154,10 @@ std::vector<CellStop> cell_stops(const Route& route, CellRange cells) {
         if (cell > cells.first && !is_ferried) moves += 1.0;
         spray_m = ends_m + moves * route.cell.base();
       }
+      if (!route.detours.empty()) around = around + route.detours[cell];
       const FieldPoint stop = stop_point(route, strip, cell);
-      stops.push_back({stop, stop, spray_m, approach_m, 0.0});
+      stops.push_back({stop, stop, spray_m + around.sprayed_m, approach_m, 0.0,
+                       around.longer_m - around.sprayed_m});
     }
     if (sprays_ends(strip)) ends_m += (to - from) * cell_m;
   }

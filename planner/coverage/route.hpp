@@ -59,6 +59,15 @@ inline bool sprays_ends(const Strip& strip) {
   return !(strip.begin == strip.from && strip.end == strip.to);
 }
 
+/// What ways around obstacles add to a straight strip, metres.
+struct MetDetour {
+  double longer_m = 0;
+  double sprayed_m = 0;  ///< Below zero where the valve is closed.
+  friend MetDetour operator+(MetDetour a, MetDetour b) {
+    return {a.longer_m + b.longer_m, a.sprayed_m + b.sprayed_m};
+  }
+};
+
 /// The order in which a field is covered: where every coverage model ends and all further planning
 /// starts.
 struct Route {
@@ -67,6 +76,8 @@ struct Route {
   std::vector<Strip> strips;        ///< Contiguous, in order; together all N cells.
   std::vector<FieldPoint> missed;   ///< Centres of workable cells that the route leaves out.
   FerryMap ferries{};               ///< The ways between stations and strips.
+  /// By cell: around obstacles that were met in flight and begin there; empty: nowhere.
+  std::vector<MetDetour> detours{};
 };
 
 /// Whether the strips are places to visit, each with one cell of no length: nothing is sprayed.
@@ -112,6 +123,7 @@ struct CellStop {
   double spray_m;     ///< Sprayed from the start of the range up to `stop`.
   double approach_m;  ///< Ferried from the cell before to this one; 0 within a strip.
   double skipped_m;   ///< Of the next approach, what a return after this cell saves.
+  double dry_m = 0;   ///< Flown on strips from the start of the range, the valve closed.
 };
 
 /// The stops of `cells`, as if their first were the first of a share.

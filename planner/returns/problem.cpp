@@ -26,6 +26,7 @@ class HillRoute {
     if (is_high(way)) return add(strip.begin, relief_.ferry(way, vehicle_));
     for (const FieldPoint to : way) fly(to, vehicle_.ferry_speed);
   }
+  void detour(double length_m) { time_s_ += length_m / vehicle_.spray_speed.base(); }
   double time_s() const { return time_s_; }
   double climb_s() const { return climb_s_; }
 
@@ -63,6 +64,7 @@ void follow_route(ReturnProblem& problem, const Route& route, const std::vector<
       }
     }
     way.fly(stops[k].stop, problem.vehicle.spray_speed);
+    if (!route.detours.empty()) way.detour(route.detours[cell].longer_m);
     hills.late_s.push_back(way.time_s() - problem.on_route_s[k]);
     hills.climb_s.push_back(way.climb_s());
     problem.on_route_s[k] = problem.resume_s[k] = way.time_s();
@@ -232,7 +234,7 @@ ReturnProblem return_problem(const Route& route, CellRange cells, const Vehicle&
   for (const CellStop& at : stops) {
     ferried_s += at.approach_m / ferry_mps;
     problem.spray_m.push_back(at.spray_m);
-    problem.on_route_s.push_back(at.spray_m / spray_mps + ferried_s);
+    problem.on_route_s.push_back((at.spray_m + at.dry_m) / spray_mps + ferried_s);
     problem.resume_m.push_back(at.spray_m);
     problem.resume_s.push_back(problem.on_route_s.back() + at.skipped_m / ferry_mps);
   }
