@@ -183,6 +183,7 @@ void AgentNode::stray(Instant t) {
   if (is_on_tail()) return end_piece(t);  // all of its cells are sprayed
   flush_flight_log();
   is_astray_ = true;
+  has_strayed_ = true;
   if (phase_ == Phase::hold || leaving_) return;
   phase_ = Phase::hold;
   stop_m_ = aircraft_.pilot().pace().along_m() + aircraft_.pilot().pace().braking_m();
@@ -193,7 +194,7 @@ void AgentNode::return_to_line(Instant t) {
   is_astray_ = false;
   if (phase_ == Phase::fly_back) return go_home();
   if (is_recalled()) return leave(CloseReason::recalled, t);
-  if (++strays_ > most_strays) {
+  if (has_strayed_ && ++strays_ > most_strays) {
     is_unfit_ = true;
     return leave(CloseReason::strayed, t);
   }

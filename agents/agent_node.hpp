@@ -199,6 +199,7 @@ class AgentNode {
   bool is_valve_open_ = false;
   bool leaves_land_ = false;  // its route, around an obstacle
   bool is_astray_ = false;    // stops with the valve closed, to return to its line
+  bool has_strayed_ = false;  // since it left that, not to stop short of an obstacle
   int strays_ = 0;            // since the last cell
   bool is_unfit_ = false;     // could not be held on its line
   std::optional<CloseReason> leaving_;

@@ -97,6 +97,7 @@ void AgentNode::stop_short(Instant t) {
   if (leaving_) return;
   flush_flight_log();
   is_astray_ = true;
+  has_strayed_ = false;
   if (phase_ != Phase::fly_back) phase_ = Phase::hold;
 }
 

@@ -13,6 +13,7 @@
 #include <chrono>
 #include <cstdio>
 #include <fmt/format.h>
+#include <map>
 #include <unistd.h>
 
 namespace furrow::app {
@@ -89,6 +90,31 @@ std::vector<std::string> losses(const std::vector<Envelope>& log) {
   return all;
 }
 
+// Why cells were given up, each reason once.
+std::vector<std::string> given_up(const std::vector<Envelope>& log) {
+  struct Times {
+    double first_s;
+    int runs = 0;
+  };
+  std::map<std::string, Times> by_reason;
+  for (const Envelope& envelope : log) {
+    const auto* const event = std::get_if<Event>(&envelope.body);
+    if (event == nullptr || event->kind != "cells_abandoned") continue;
+    const std::size_t colon = event->detail.find(": ");
+    if (colon == std::string::npos) continue;
+    const std::string reason = event->detail.substr(colon + 2);
+    const auto entry = by_reason.try_emplace(reason, Times{seconds(envelope.sent).base()}).first;
+    ++entry->second.runs;
+  }
+  std::vector<std::string> all;
+  all.reserve(by_reason.size());
+  for (const auto& [reason, times] : by_reason) {
+    all.push_back(fmt::format("given up since {:.1f} s, {} {} of cells: {}", times.first_s,
+                              times.runs, times.runs == 1 ? "run" : "runs", reason));
+  }
+  return all;
+}
+
 int report(const Options& options, const MissionRecord& record) {
   const Result result = summary(record);
   const std::string folder = results_folder(options, record.scenario);
@@ -103,6 +129,7 @@ int report(const Options& options, const MissionRecord& record) {
   }
   for (const std::string& sentence : result.warnings) tell(sentence);
   for (const std::string& sentence : losses(record.log)) tell(sentence);
+  for (const std::string& sentence : given_up(record.log)) tell(sentence);
   const auto lacking = shortcomings(result, record.log);
   for (const std::string& sentence : lacking) tell(sentence);
   return lacking.empty() ? Exit::done : Exit::not_met;

@@ -52,7 +52,10 @@ class Faults(Furrow):
             self.assertIn(b"obstacle_planned", events)
 
     def test_what_lies_behind_a_tree_without_a_way_past_is_sprayed_by_sim_and_run_alike(self):
-        result, events = self.flown_alike("alley_blocked.yaml", "the mission is not completed", 1)
+        result, events = self.flown_alike(
+            "alley_blocked.yaml",
+            "runs of cells: an obstacle stands there, with no room for a detour\n"
+            "furrow: the mission is not completed", 1)
         self.assertEqual(events.count(b"way_blocked"), 3)  # on each of three rows
         self.assertLess(result["coverage"]["missed_m2"], 300)
 

@@ -8,7 +8,9 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <map>
 #include <set>
+#include <string>
 
 namespace furrow::sim {
 namespace {
@@ -103,6 +105,35 @@ TEST_CASE("flown as planned: around trees among cells, by all laws and every cel
 
 TEST_CASE("flown as planned: around trees on a hill, by all laws and every cell once", "[sim]") {
   fly_around_surprises("surprise_hill", 2);
+}
+
+TEST_CASE("flown as planned: nobody is lost who stops short of a wall of trees, one by one",
+          "[sim]") {
+  mission::Scenario scene = scenario("surprise_tree");
+  scene.surprises.clear();
+  // Right across the field: 6 m apart, and 3.1 m to keep clear of.
+  for (int i = 0; i < 20; ++i) {
+    scene.surprises.push_back({.id = "tree " + std::to_string(i),
+                               .obstacle = {at_m(3 + 6 * i, 100), metres(1.5)},
+                               .appears = {},
+                               .seen_within = metres(25)});
+  }
+  const auto plan = scheduler::plan_fleet(mission::fleet_problem(scene));
+  REQUIRE(plan);
+  const Log log = flown(scene, *plan);
+  REQUIRE(log.finished);
+  for (const Violation& v : violations(facts_of(scene, *plan), log.envelopes, log.ended)) {
+    FAIL(v.law << v.detail);
+  }
+  std::map<NodeId, int> stops;
+  SchedulerState last{};
+  for (const Envelope& e : log.envelopes) {
+    if (const auto* state = std::get_if<SchedulerState>(&e.body)) last = *state;
+    const auto* event = std::get_if<Event>(&e.body);
+    if (event != nullptr && event->kind == "obstacle_near") ++stops[e.from];
+  }
+  CHECK(last.lost.empty());
+  CHECK(stops[node(AgentId{1})] > 3);  // as often as would make an aircraft that strays unfit
 }
 
 TEST_CASE("flown as planned: behind a tree that leaves no way the strips are flown from elsewhere",
