@@ -178,8 +178,6 @@ void check_surprises(const Draft& draft) {
       fail(entry.sight_key, "needs field.coverage.avoidance: how aircraft keep away from it");
       continue;
     }
-    if (s.terrain && s.survey)
-      fail(entry.sight_key, "must be left out of surveys over terrain, flown high above");
     check_sight(entry, s.surprises[i], draft, avoidance->safety);
     const Length kept = s.surprises[i].obstacle.radius + avoidance->safety + metres(1);
     for (const Station& station : s.stations) {

@@ -63,6 +63,17 @@ Field without_boundary(Field field) {
   return field;
 }
 
+// Volumes that no aircraft enters are kept away from as obstacles are.
+planner::Room with_volumes(const planner::Room& room, const Scenario& scenario, Length clearance) {
+  std::vector<planner::CircleM> circles;
+  if (scenario.terrain) {
+    for (const planner::KeepOut& volume : scenario.terrain->keep_out) {
+      circles.push_back({{volume.x_m, volume.y_m}, volume.radius_m + clearance.base()});
+    }
+  }
+  return room.with(std::move(circles));
+}
+
 // On board, as strips are led around the obstacles that the plan knows.
 planner::AvoidanceRule avoidance_rule(const Scenario& scenario) {
   if (scenario.surprises.empty()) return {};
@@ -78,8 +89,8 @@ planner::AvoidanceRule avoidance_rule(const Scenario& scenario) {
   auto beyond =
       planner::room_of(without_boundary(scenario.field), margin, buffer, clearance, width);
   require(room && beyond, "a field that was planned leaves room");
-  return {.planned = std::move(*room),
-          .beyond = std::move(*beyond),
+  return {.planned = with_volumes(*room, scenario, clearance),
+          .beyond = with_volumes(*beyond, scenario, clearance),
           .clearance = clearance,
           .turn_radius = avoidance->turn_radius,
           .weights = {.length = avoidance->length_weight, .area = avoidance->area_weight}};

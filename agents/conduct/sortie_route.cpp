@@ -81,17 +81,19 @@ class Laying {
   double work(FieldPoint to, Speed speed, Corner corner = Corner::cut) {
     return bent(ferry_bends(at_, to), to, speed, corner);
   }
-  /// By the way points of an approach at their heights, where it has any; and on to `entry`.
+  /// By the way points of an approach at their heights, where it has any and nothing stands in the
+  /// way; and on to `entry`.
   double approach(const Piece& piece, Speed speed, Corner corner) {
-    if (relief_ != nullptr && !piece.approach_altitudes_m.empty()) {
-      const auto way =
-          relief_->way_at(at_, piece.approach, piece.approach_altitudes_m, piece.entry);
-      return over(relief_->straight(way, speed), corner, Corner::held);
-    }
     std::vector<FieldPoint> way{at_};
     way.insert(way.end(), piece.approach.begin(), piece.approach.end());
     way.push_back(piece.entry);
-    if (relief_ != nullptr && planner::is_high(way)) {
+    const bool has_heights = relief_ != nullptr && !piece.approach_altitudes_m.empty();
+    if (has_heights && is_clear(way)) {
+      const auto air =
+          relief_->way_at(at_, piece.approach, piece.approach_altitudes_m, piece.entry);
+      return over(relief_->straight(air, speed), corner, Corner::held);
+    }
+    if (has_heights || (relief_ != nullptr && planner::is_high(way))) {
       return over(relief_->ferry(led_around(way), vehicle_, begins()), corner, Corner::held);
     }
     for (const FieldPoint at : piece.approach) pass(at, vehicle_.ferry_speed, Corner::held);
@@ -126,6 +128,12 @@ class Laying {
     if (!found) return std::nullopt;
     route_.leaves_land = route_.leaves_land || found->leaves_land;
     return std::move(found->bends);
+  }
+
+  bool is_clear(const std::vector<FieldPoint>& way) const {
+    return std::adjacent_find(way.begin(), way.end(), [this](FieldPoint a, FieldPoint b) {
+             return around_.clear_m(a, b).has_value();
+           }) == way.end();
   }
 
   // The way in plan of a ferry, around what was seen.
