@@ -68,7 +68,10 @@ void mark(const RingM& ring, Layer layer, const WindowM& window, const WindowLin
           AreaMarks& marks) {
   int winding = 0;
   double from_m = 0;
+  std::size_t line = 0;
   for (const Crossing& c : crossings_of(ring, window, lines)) {
+    // Where a corner lies on a line, rounding may leave that one open.
+    if (std::exchange(line, c.line) != c.line) winding = 0;
     const int before = winding;
     winding += c.turn;
     if (before == 0) from_m = c.place_m;

@@ -44,6 +44,18 @@ TEST_CASE("ground inside obstacle circles is not missed") {
         Approx(missed_m2).margin(0.3));
 }
 
+TEST_CASE("a corner that lies on a line of the window spoils that line at most") {
+  // 10.1 m by 6 m less a triangle of 8 m by 4 m; its tip on each line in turn.
+  const double width_m = 10.1, count = std::ceil(width_m / 0.25), step_m = width_m / count;
+  const WindowM window{{0, 0}, {1, 0}, 0, width_m};
+  const FootprintM pass{{{-5, 0}, {20, 0}}, 3};
+  for (double k = 4; k < 36; ++k) {
+    const RingM triangle{{1, -2}, {9, -2}, {step_m / 2 + k * step_m, 2}};
+    const double missed_m2 = area_in(window, {pass}, {}, {}, {triangle}).missed_m2;
+    CHECK(missed_m2 == Approx(60.6 - 16).margin(4 * step_m + 0.1));
+  }
+}
+
 TEST_CASE("the areas of the search are those of the record") {
   const PassM pass{{0, 0}, {100, 0}, 6};
   for (const double aside_m : {-2.0, 0.5, 1.8}) {
