@@ -22,16 +22,30 @@ StripPath::StripPath(const std::vector<StraightStrip>& strips, double cut_m) : c
     at_m += length_m;
   }
   begins_m_.push_back(at_m);
+  first_.resize(strips_.size());
+  std::uint32_t strip = 0;
+  for (std::size_t i = 0; i < first_.size(); ++i) {
+    while (strip + 1 < strips_.size() && stretch_of(begins_m_[strip + 1]) < i) ++strip;
+    first_[i] = strip;
+  }
+}
+
+// Which part of the path a position lies in; rises with it.
+std::size_t StripPath::stretch_of(double at_m) const {
+  const double number = at_m / begins_m_.back() * static_cast<double>(first_.size());
+  return static_cast<std::size_t>(std::clamp(number, 0.0, static_cast<double>(first_.size() - 1)));
 }
 
 std::uint32_t StripPath::strip_from(double at_m) const {
-  const auto after = std::upper_bound(begins_m_.begin() + 1, begins_m_.end() - 1, at_m);
-  return static_cast<std::uint32_t>(after - begins_m_.begin() - 1);
+  std::uint32_t s = first_[stretch_of(at_m)];
+  while (s + 1 < strips() && begins_m_[s + 1] <= at_m) ++s;
+  return s;
 }
 
 std::uint32_t StripPath::strip_to(double at_m) const {
-  const auto at = std::lower_bound(begins_m_.begin() + 1, begins_m_.end() - 1, at_m);
-  return static_cast<std::uint32_t>(at - begins_m_.begin() - 1);
+  std::uint32_t s = first_[stretch_of(at_m)];
+  while (s + 1 < strips() && begins_m_[s + 1] < at_m) ++s;
+  return s;
 }
 
 StripPath StripPath::part(double from_m, double to_m) const {

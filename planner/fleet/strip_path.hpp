@@ -54,11 +54,14 @@ class StripPath {
   };
   double away_m(FieldPoint place, std::uint32_t strip, double at_m) const;
   FieldPoint point(std::uint32_t strip, double at_m) const;
+  std::size_t stretch_of(double at_m) const;
 
   double cut_m_;
   std::vector<Line> strips_;
   std::vector<double> begins_m_;  ///< By strip, and the length.
   std::vector<double> hops_m_;    ///< By strip: all hops before it.
+  /// By as many equal stretches of the path: the strip that no position in it lies before.
+  std::vector<std::uint32_t> first_{};
 };
 
 }  // namespace furrow::planner::fleet

@@ -1,9 +1,41 @@
 #include "planner/coverage/swath/edge_grid.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 
 namespace furrow::planner {
+namespace {
+
+// Where a way meets edges without leaving the land: nearly always few, kept without allocating.
+class Touches {
+ public:
+  void add(double at_m) {
+    if (count_ < few_.size()) {
+      few_[count_++] = at_m;
+    } else {
+      many_.push_back(at_m);
+    }
+  }
+  std::span<const double> sorted() {
+    if (many_.empty()) {
+      std::sort(few_.begin(), few_.begin() + static_cast<std::ptrdiff_t>(count_));
+      return {few_.data(), count_};
+    }
+    many_.insert(many_.end(), few_.begin(), few_.end());
+    std::sort(many_.begin(), many_.end());
+    return many_;
+  }
+
+ private:
+  std::array<double, 32> few_;  // of which `count_` are set
+  std::size_t count_ = 0;
+  std::vector<double> many_{};
+};
+
+}  // namespace
+
 EdgeGrid::EdgeGrid(const LandPart& part) {
   const auto add_ring = [&](const RingM& ring, int number) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -118,13 +150,15 @@ bool EdgeGrid::sees(PointM a, PointM b) const {
   const double length_m = norm(b - a);
   if (length_m <= touch_m) return true;
   const PointM along = (1 / length_m) * (b - a);
-  std::vector<double> touches{0, length_m};  // where the way meets edges without leaving the land
+  Touches touches;
+  touches.add(0);
+  touches.add(length_m);
   bool blocked = false;
   each_near(a, b, [&](const Edge& edge) {
     const double side_from = cross(along, edge.from - a), side_to = cross(along, edge.to - a);
     const double t_from = dot(along, edge.from - a), t_to = dot(along, edge.to - a);
-    if (std::abs(side_from) <= touch_m) touches.push_back(t_from);
-    if (std::abs(side_to) <= touch_m) touches.push_back(t_to);
+    if (std::abs(side_from) <= touch_m) touches.add(t_from);
+    if (std::abs(side_to) <= touch_m) touches.add(t_to);
     if (std::abs(side_from) <= touch_m || std::abs(side_to) <= touch_m ||
         (side_from > 0) == (side_to > 0)) {
       return true;
@@ -134,17 +168,17 @@ bool EdgeGrid::sees(PointM a, PointM b) const {
     const bool ends_on_edge = distance_m(a, edge.from, edge.to) <= touch_m ||
                               distance_m(b, edge.from, edge.to) <= touch_m;
     if (ends_on_edge) {
-      touches.push_back(t);
+      touches.add(t);
       return true;
     }
     blocked = true;
     return false;
   });
   if (blocked) return false;
-  std::sort(touches.begin(), touches.end());
-  for (std::size_t i = 1; i < touches.size(); ++i) {
-    const double from = std::clamp(touches[i - 1], 0.0, length_m);
-    const double to = std::clamp(touches[i], 0.0, length_m);
+  const std::span<const double> at = touches.sorted();
+  for (std::size_t i = 1; i < at.size(); ++i) {
+    const double from = std::clamp(at[i - 1], 0.0, length_m);
+    const double to = std::clamp(at[i], 0.0, length_m);
     if (to - from > 2 * touch_m && !contains(a + ((from + to) / 2) * along)) return false;
   }
   return true;
