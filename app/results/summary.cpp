@@ -202,9 +202,12 @@ std::vector<StationFigures> station_figures(const MissionRecord& record, const F
 }
 
 SeparationFigures separation_figures(const MissionRecord& record, const Flown& flown) {
-  std::vector<std::vector<TrackPoint>> tracks;
+  std::vector<sim::AirTrack> tracks;
   tracks.reserve(flown.uavs.size());
-  for (const FlownUav& uav : flown.uavs) tracks.push_back(uav.track);
+  for (const FlownUav& uav : flown.uavs) {
+    tracks.push_back({uav.track, {}});
+    for (const SortieReport& s : uav.sorties) tracks.back().landings.push_back(s.landed);
+  }
   const double distance_m = record.scenario.separation.base();
   const sim::Separation found = sim::separation(tracks, distance_m);
   SeparationFigures f{.distance_m = distance_m,

@@ -10,7 +10,6 @@
 namespace furrow::sim {
 namespace {
 
-constexpr Duration longest_leg{1'500'000'000};
 constexpr Duration one_second{1'000'000'000};
 constexpr Duration hair{1'000'000};  // encounters that near in time are one
 
@@ -69,13 +68,13 @@ std::optional<Nearness> meeting(const Leg& a, const Leg& b, double distance_m) {
 }
 
 // By the whole second in which they begin; a leg that reaches into the next stands in both.
-std::map<Duration::rep, std::vector<Leg>> legs_by_second(
-    const std::vector<std::vector<TrackPoint>>& tracks) {
+std::map<Duration::rep, std::vector<Leg>> legs_by_second(const std::vector<AirTrack>& tracks) {
   std::map<Duration::rep, std::vector<Leg>> all;
   for (std::size_t t = 0; t < tracks.size(); ++t) {
-    for (std::size_t i = 1; i < tracks[t].size(); ++i) {
-      const TrackPoint &a = tracks[t][i - 1], &b = tracks[t][i];
-      if (b.at <= a.at || b.at - a.at > longest_leg) continue;
+    const auto& [points, landings] = tracks[t];
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      const TrackPoint &a = points[i - 1], &b = points[i];
+      if (b.at <= a.at || std::binary_search(landings.begin(), landings.end(), a.at)) continue;
       const Leg leg{t, a.at, b.at, place(a), place(b)};
       const auto last = (b.at.time_since_epoch() - Duration{1}) / one_second;
       for (auto s = a.at.time_since_epoch() / one_second; s <= last; ++s) all[s].push_back(leg);
@@ -118,7 +117,7 @@ void join(std::vector<Nearness> stretches, std::pair<std::size_t, std::size_t> p
 
 }  // namespace
 
-Separation separation(const std::vector<std::vector<TrackPoint>>& tracks, double distance_m) {
+Separation separation(const std::vector<AirTrack>& tracks, double distance_m) {
   Meetings meetings;
   for (auto& [second, legs] : legs_by_second(tracks)) meet(legs, distance_m, meetings);
   Separation result{};

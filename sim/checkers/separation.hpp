@@ -16,19 +16,24 @@ struct Encounter {
   double closest_m;
 };
 
+/// Where an aircraft was in the air.
+struct AirTrack {
+  std::vector<TrackPoint> points;  ///< Rising in time, a point a second at least in the air.
+  std::vector<Instant> landings;   ///< Rising: it stands from then to its next point.
+};
+
 struct Separation {
   std::vector<Encounter> encounters;  ///< By time, then tracks.
   std::optional<double> closest_m;    ///< Of all encounters; none without one.
 };
 
-/// Tracks are flown straight between their points; two points more than a second and a half apart
-/// are a stop on the ground, where nobody is near to anybody. Distances are straight lines, heights
-/// included.
+/// Tracks are flown straight between their points, but for stops on the ground, however short:
+/// there nobody is near to anybody. Distances are straight lines, heights included.
 ///
 /// Time O(p log p + n) for p points in one second at a time and n pairs within reach of each other.
 ///
-/// @param tracks      One of each aircraft, rising in time, a point a second at least.
+/// @param tracks      One of each aircraft.
 /// @param distance_m  Nearer than this is an encounter; > 0.
-Separation separation(const std::vector<std::vector<TrackPoint>>& tracks, double distance_m);
+Separation separation(const std::vector<AirTrack>& tracks, double distance_m);
 
 }  // namespace furrow::sim

@@ -13,16 +13,19 @@ class SeparationLaws final : public Checker {
 
   void observe(const Envelope& e) override {
     if (!separation_) return;
-    const auto* flown = std::get_if<FlightRecord>(&e.body);
-    if (flown == nullptr) return;
-    auto& track = tracks_[flown->agent];
-    track.insert(track.end(), flown->track.begin(), flown->track.end());
+    if (const auto* flown = std::get_if<FlightRecord>(&e.body)) {
+      auto& points = tracks_[flown->agent].points;
+      points.insert(points.end(), flown->track.begin(), flown->track.end());
+    } else if (const auto* sortie = std::get_if<SortieReport>(&e.body)) {
+      std::vector<Instant>& landings = tracks_[sortie->agent].landings;
+      if (landings.empty() || landings.back() < sortie->landed) landings.push_back(sortie->landed);
+    }
   }
 
   void conclude(Instant) override {
     if (!separation_) return;
     std::vector<AgentId> agents;
-    std::vector<std::vector<TrackPoint>> tracks;
+    std::vector<AirTrack> tracks;
     for (auto& [agent, track] : tracks_) {
       agents.push_back(agent);
       tracks.push_back(std::move(track));
@@ -37,7 +40,7 @@ class SeparationLaws final : public Checker {
 
  private:
   std::optional<Length> separation_;
-  std::map<AgentId, std::vector<TrackPoint>> tracks_;
+  std::map<AgentId, AirTrack> tracks_;
 };
 
 }  // namespace

@@ -20,10 +20,10 @@ TEST_CASE("separation: two that cross are near for as long as they are, with the
   // At right angles, both at 5 m/s, the second 1 s behind at the crossing (10, 0). From there their
   // difference is (5 t - 10, 15 - 5 t) m: least at t = 2.5 s, (2.5, 2.5) m apart, 3.5355 m; under
   // 5 m where 25 ((t - 2)^2 + (3 - t)^2) < 25, so from 2 s to 3 s.
-  std::vector<std::vector<TrackPoint>> tracks(2);
+  std::vector<AirTrack> tracks(2);
   for (int t = 0; t <= 5; ++t) {
-    tracks[0].push_back(point(t, 5.0 * t, 0));
-    tracks[1].push_back(point(t, 10, 5.0 * t - 15));
+    tracks[0].points.push_back(point(t, 5.0 * t, 0));
+    tracks[1].points.push_back(point(t, 10, 5.0 * t - 15));
   }
   const Separation near = separation(tracks, 5.0);
   REQUIRE(near.encounters.size() == 1);
@@ -40,11 +40,11 @@ TEST_CASE("separation: two that cross are near for as long as they are, with the
 
 TEST_CASE("separation: a long stretch beside each other is one encounter, a second one another",
           "[sim]") {
-  std::vector<std::vector<TrackPoint>> tracks(2);
+  std::vector<AirTrack> tracks(2);
   for (int t = 0; t <= 20; ++t) {
-    tracks[0].push_back(point(t, 3.0 * t, 0));
+    tracks[0].points.push_back(point(t, 3.0 * t, 0));
     const double beside_m = t >= 8 && t <= 12 ? 50 : 1;
-    tracks[1].push_back(point(t, 3.0 * t, beside_m));
+    tracks[1].points.push_back(point(t, 3.0 * t, beside_m));
   }
   const Separation near = separation(tracks, 2.0);
   REQUIRE(near.encounters.size() == 2);
@@ -54,17 +54,18 @@ TEST_CASE("separation: a long stretch beside each other is one encounter, a seco
 }
 
 TEST_CASE("separation: on the ground, and in layers far enough apart, nobody is near", "[sim]") {
-  // The first stands at the station from 2 s to 8 s, where the second passes at 5 s.
-  const std::vector<TrackPoint> landed{point(0, -6, 0), point(1, -3, 0), point(2, 0, 0),
-                                       point(8, 0, 0),  point(9, 3, 0),  point(10, 6, 0)};
-  std::vector<TrackPoint> passing;
-  for (int t = 0; t <= 10; ++t) passing.push_back(point(t, 0, 5.0 * (t - 5)));
-  CHECK(separation({landed, passing}, 2.0).encounters.empty());
+  // The first stands at the station from 4.5 s to 5.5 s, where the second passes at 5 s.
+  AirTrack stops{{point(3.5, -3, 0), point(4.5, 0, 0), point(5.5, 0, 0), point(6.5, 3, 0)},
+                 {at(4.5)}};
+  AirTrack passing, hovering, above;
+  for (int t = 0; t <= 10; ++t) passing.points.push_back(point(t, 0, 5.0 * (t - 5)));
+  CHECK(separation({stops, passing}, 2.0).encounters.empty());
+  stops.landings.clear();  // it hovers there
+  CHECK(separation({stops, passing}, 2.0).encounters.size() == 1);
 
-  std::vector<TrackPoint> hovering, above;
   for (int t = 0; t <= 10; ++t) {
-    hovering.push_back(point(t, 0, 0, 10));
-    above.push_back(point(t, 0.1 * t - 0.5, 0, 14));
+    hovering.points.push_back(point(t, 0, 0, 10));
+    above.points.push_back(point(t, 0.1 * t - 0.5, 0, 14));
   }
   CHECK(separation({hovering, above}, 4.0).encounters.empty());
   CHECK(separation({hovering, above}, 4.1).closest_m == Approx(4.0));
@@ -72,9 +73,9 @@ TEST_CASE("separation: on the ground, and in layers far enough apart, nobody is 
 
 TEST_CASE("separation: points between whole seconds are flown straight, too", "[sim]") {
   // The second dashes in to 1 m and out again within one second.
-  const std::vector<TrackPoint> still{point(0, 0, 0), point(1, 0, 0), point(2, 0, 0)};
-  const std::vector<TrackPoint> dash{point(0, 9, 0), point(1, 9, 0), point(1.4, 1, 0),
-                                     point(1.8, 9, 0), point(2, 9, 0)};
+  const AirTrack still{{point(0, 0, 0), point(1, 0, 0), point(2, 0, 0)}, {}};
+  const AirTrack dash{
+      {point(0, 9, 0), point(1, 9, 0), point(1.4, 1, 0), point(1.8, 9, 0), point(2, 9, 0)}, {}};
   const Separation near = separation({still, dash}, 3.0);
   REQUIRE(near.encounters.size() == 1);
   CHECK(near.encounters[0].closest_m == Approx(1.0));
