@@ -32,7 +32,8 @@ void SchedulerNode::hear(const FlightClaim& claim, Instant now, Outbox& out) {
   if (!airspace_) {
     const Instant departs = std::max(now, claim.track.front().at);
     out.messages.push_back(FlightGrant{claim.agent, claim.boot, claim.claim, true, departs});
-  } else if (auto grant = airspace_->answer(claim, work_sites(*claimant, claim, now), now)) {
+  } else if (auto grant = airspace_->answer(claim, work_sites(*claimant, claim, now),
+                                            is_free(*claimant, claim.leads_to, now), now)) {
     out.messages.push_back(*grant);
   }
 }
@@ -47,21 +48,27 @@ std::vector<WorkSite> SchedulerNode::work_sites(const Member& claimant, const Fl
   return sites;
 }
 
+// What an agent works at or comes to. Who is on its way home hovers, until that is its own.
+std::optional<SchedulerNode::AtWork> SchedulerNode::at_work(const Member& m, Instant now) const {
+  const auto arrives = airspace_->arrival(m.agent, now);
+  const bool is_on_way = arrives && m.phase != Phase::hold &&
+                         (m.phase != Phase::fly_back || arrives->leads_to.count == 0);
+  if (is_on_way) {
+    if (arrives->leads_to.count == 0) return std::nullopt;
+    return AtWork{arrives->place, work_from(m, arrives->leads_to.first)};
+  }
+  if (is_at_work(m.phase)) return AtWork{m.place, work_ahead(m)};
+  if (m.phase == Phase::fly_back) return AtWork{m.place, {}};
+  return std::nullopt;
+}
+
 // Where and when an agent is or will be at work, up to its next way.
 void SchedulerNode::add_sites(const Member& m, Instant now, std::vector<WorkSite>& sites) const {
-  const bool is_at_work =
-      m.phase == Phase::fly_out || m.phase == Phase::spray || m.phase == Phase::hold;
-  const bool hovers = m.phase == Phase::hold;
-  const auto arrives = airspace_->arrival(m.agent, now);
+  const auto its = at_work(m, now);
+  if (!its) return;
   const std::size_t first = sites.size();
-  if (arrives && !hovers && (m.phase != Phase::fly_back || arrives->leads_to.count == 0)) {
-    add_work_after(m, arrives->place, arrives->leads_to, sites);
-  } else if (is_at_work) {
-    add_work(m, m.place, work_ahead(m), sites);
-  } else if (m.phase == Phase::fly_back) {
-    add_work(m, m.place, {}, sites);
-  }
-  if (!hovers) return;
+  add_work(m, its->from, its->ahead, sites);
+  if (m.phase != Phase::hold) return;
   for (std::size_t i = first; i < sites.size(); ++i) sites[i].leaves = never;
 }
 
@@ -124,6 +131,8 @@ std::vector<Piece> SchedulerNode::up_to_way(const SortieOrder& sortie, std::size
     if (i > first && planner::are_apart(sortie.pieces[i - 1], piece)) break;
     const auto left = first_left(piece);
     if (!left) continue;
+    const bool is_open = ledger_.state(*left) == CellState::open;
+    if (is_open && is_shared({*left, end(piece.cells) - *left})) break;  // it may have to wait
     if (*left > piece.cells.first) piece.entry = settings_.plan.route.centers[*left];
     pieces.push_back(std::move(piece));
   }

@@ -101,7 +101,8 @@ Airspace::Airspace(Length distance)
 }
 
 std::optional<FlightGrant> Airspace::answer(const FlightClaim& claim,
-                                            const std::vector<WorkSite>& sites, Instant now) {
+                                            const std::vector<WorkSite>& sites, bool is_free,
+                                            Instant now) {
   std::erase_if(flights_, [now](const Flight& f) { return f.track.back().at < now; });
   for (const Flight& f : flights_) {
     if (f.agent == claim.agent && f.grant.claim >= claim.claim) return f.grant;
@@ -109,11 +110,11 @@ std::optional<FlightGrant> Airspace::answer(const FlightClaim& claim,
   if (claim.departure == Departure::begun) return book(claim, Duration{});
   const std::vector<Pass> low = passes(claim, sites);
   if (claim.departure == Departure::in_motion) {
-    if (is_clear(claim, low, Duration{})) return book(claim, Duration{});
+    if (is_free && is_clear(claim, low, Duration{})) return book(claim, Duration{});
     return FlightGrant{claim.agent, claim.boot, claim.claim, false, now};
   }
   std::erase_if(flights_, [&](const Flight& f) { return f.agent == claim.agent; });  // given up
-  const auto put_off = delay(claim, low, now);
+  const auto put_off = is_free ? delay(claim, low, now) : std::nullopt;
   return put_off ? std::optional{book(claim, *put_off)} : std::nullopt;
 }
 
@@ -122,6 +123,16 @@ std::optional<Airspace::Arrival> Airspace::arrival(AgentId agent, Instant now) c
     if (f.agent == agent && f.track.back().at >= now) return Arrival{f.track.back(), f.leads_to};
   }
   return std::nullopt;
+}
+
+bool Airspace::is_clear(const std::vector<WorkSite>& sites) const {
+  std::vector<Pass> found;
+  for (const WorkSite& site : sites) {
+    for (const Flight& f : flights_) {
+      if (f.agent != site.agent) add_passes(f.track, site, true, found);
+    }
+  }
+  return std::none_of(found.begin(), found.end(), [](const Pass& p) { return p.meets({}); });
 }
 
 // Of the claimed track by the others' sites, and of the others' tracks by the claimant's.
@@ -157,10 +168,8 @@ void Airspace::add_passes(const Track& track, const WorkSite& site, bool is_own,
 
 bool Airspace::is_clear(const FlightClaim& claim, const std::vector<Pass>& passes,
                         Duration delay) const {
-  const bool is_met = std::any_of(passes.begin(), passes.end(), [delay](const Pass& p) {
-    const Instant leaves = p.leaves == never ? never : p.leaves + delay;
-    return leaves >= p.other_enters && p.enters + delay <= p.other_leaves;
-  });
+  const bool is_met =
+      std::any_of(passes.begin(), passes.end(), [delay](const Pass& p) { return p.meets(delay); });
   if (is_met) return false;
   const Track track = put_off(claim.track, delay);
   return std::none_of(flights_.begin(), flights_.end(), [&](const Flight& f) {

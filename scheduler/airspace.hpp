@@ -36,8 +36,12 @@ class Airspace {
   /// where the flight is not clear within two minutes: it may be claimed again.
   /// @param sites  Of all who are at work or on their way to it, the claimant's own from the end of
   /// the flight on, if it is not put off.
+  /// @param is_free  Whether nobody is at work where the flight leads to, or too near.
   std::optional<FlightGrant> answer(const FlightClaim& claim, const std::vector<WorkSite>& sites,
-                                    Instant now);
+                                    bool is_free, Instant now);
+
+  /// Whether no flight of another that was given passes one of them low while it is worked at.
+  bool is_clear(const std::vector<WorkSite>& sites) const;
 
   /// Where and when the flight given to an aircraft ends, and the work that it leads to.
   struct Arrival {
@@ -61,6 +65,12 @@ class Airspace {
   struct Pass {
     Instant enters, leaves;
     Instant other_enters, other_leaves;
+
+    /// Whether both are there at a time, the claimant put off.
+    bool meets(Duration delay) const {
+      const Instant left = leaves == never ? never : leaves + delay;
+      return left >= other_enters && enters + delay <= other_leaves;
+    }
   };
 
   std::vector<Pass> passes(const FlightClaim& claim, const std::vector<WorkSite>& sites) const;

@@ -24,11 +24,6 @@ bool has_run_out(const Station& station, const StationState& state) {
          (station.packs && state.swaps >= *station.packs);
 }
 
-/// Over the field, where what it works on may be the end of it.
-bool is_at_work(Phase phase) {
-  return phase == Phase::fly_out || phase == Phase::spray || phase == Phase::hold;
-}
-
 }  // namespace
 
 /// Its windows become uncertain, the rest of its list is to be shared out.
@@ -155,7 +150,7 @@ const Station& SchedulerNode::haven(const Station& wanted) const {
 /// @param whatever_it_takes  Also where it does not.
 void SchedulerNode::share_anew(Instant now, Outbox& out, bool whatever_it_takes) {
   for (Member& m : members_) {
-    if (can_take_more(m, now)) release(m);  // so that what comes next counts as begun
+    if (can_take_more(m, now)) release(m, now);  // so that what comes next counts as begun
   }
   std::vector<Member> revised = members_;  // the old lists stay where they are as good
   std::vector<std::size_t> who;

@@ -14,6 +14,7 @@ namespace furrow::scheduler {
 namespace {
 
 constexpr Duration resend_after = std::chrono::seconds{2};
+constexpr Duration ask_after = std::chrono::milliseconds{500};
 constexpr Duration state_period = std::chrono::seconds{2};
 
 CellRange whole(const Ledger& ledger) {
@@ -53,7 +54,6 @@ SchedulerNode::SchedulerNode(SchedulerSettings settings)
       losses_(settings_.plan.route.strips.size(), 0) {
   require(settings_.windows_ahead >= 1, "an agent has a window to work on");
   require(number(settings_.epoch) > 0, "an epoch is counted from 1");
-  if (settings_.separation) airspace_.emplace(*settings_.separation);
   for (const UavPlan& uav : settings_.plan.uavs) {
     place_of(uav.station, stations_);
     for (const Station& s : uav.landings) place_of(s, stations_);
@@ -68,6 +68,9 @@ SchedulerNode::SchedulerNode(SchedulerSettings settings)
     members_.push_back(std::move(m));
   }
   for (const Station& s : settings_.stations) place_of(s, stations_);
+  if (!settings_.separation) return;
+  airspace_.emplace(*settings_.separation);
+  find_near_work();
 }
 
 Outbox SchedulerNode::step(const Inbox& inbox, Instant now) {
@@ -245,7 +248,7 @@ void SchedulerNode::direct(Member& m, Instant now, Outbox& out) {
     if (is_due(m.commanded_at, now)) command(m, now, out);
     return;
   }
-  if (!leaves_on_order(m)) release(m);
+  if (!leaves_on_order(m)) release(m, now);
   if (m.owes_grant) send_grant(m, now, out);
 }
 
@@ -261,17 +264,21 @@ void SchedulerNode::command(Member& m, Instant now, Outbox& out) {
 
 /// Opens windows until enough are open, in the order of the list, so the rest of one closed early
 /// comes before what lies behind it.
-void SchedulerNode::release(Member& m) {
+void SchedulerNode::release(Member& m, Instant now) {
   std::size_t open = ledger_.windows(m.agent).size();
-  for (const Piece& piece : m.pieces) {
-    while (open < settings_.windows_ahead) {
-      const auto run = ledger_.first_open(piece.cells);
-      if (!run) break;
-      ledger_.grant(m.agent, *run);
-      m.owes_grant = true;
-      ++open;
+  for (const SortieOrder& sortie : m.sorties) {
+    for (std::size_t i = 0; i < sortie.pieces.size(); ++i) {
+      while (const auto run = ledger_.first_open(sortie.pieces[i].cells)) {
+        if (open >= settings_.windows_ahead || now < m.asks_again) return;
+        if (!may_begin(m, sortie, i, *run, now)) {
+          m.asks_again = now + ask_after;
+          return;
+        }
+        ledger_.grant(m.agent, *run);
+        m.owes_grant = true;
+        ++open;
+      }
     }
-    if (open >= settings_.windows_ahead) return;
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/node.hpp"
 #include "planner/avoidance/onboard.hpp"
+#include "planner/coverage/plane.hpp"
 #include "scheduler/airspace.hpp"
 #include "scheduler/blockage.hpp"
 #include "scheduler/fleet_plan.hpp"
@@ -14,6 +15,11 @@
 #include <vector>
 
 namespace furrow::scheduler {
+
+/// Over the field, at work or on the way to it.
+constexpr bool is_at_work(Phase phase) {
+  return phase == Phase::fly_out || phase == Phase::spray || phase == Phase::hold;
+}
 
 /// An order that is known before the mission.
 struct TimedOrder {
@@ -70,7 +76,8 @@ struct SchedulerSettings {
 /// the operator would in time to be home when it ends.
 ///
 /// Where aircraft keep a distance, what they claim to fly between stations and work is put off
-/// until it is clear of what others fly and of where they are at work.
+/// until it is clear of what others fly and of where they are at work. Work that lies nearer to
+/// other work than they keep is granted to one of them at a time, as it comes to it.
 ///
 /// The mission is finished when every cell is sprayed or given up and every living agent is down;
 /// completed when none was given up but what is uncertain. Cells that the route leaves out are
@@ -102,6 +109,7 @@ class SchedulerNode {
     bool joins = false;   ///< Comes late, and has no share of the work yet.
     bool is_out = false;  ///< Taken out, by the operator or as its window ends.
     std::optional<Instant> commanded_at{}, granted_at{};
+    Instant asks_again{};     ///< Earliest, for cells that could not be granted.
     bool owes_grant = false;  ///< The level has changed since it was last sent.
   };
 
@@ -119,6 +127,12 @@ class SchedulerNode {
   void hear(const FlightClaim& claim, Instant now, Outbox& out);
   std::vector<WorkSite> work_sites(const Member& claimant, const FlightClaim& claim,
                                    Instant now) const;
+  /// Work up to the next way, and from where and when on.
+  struct AtWork {
+    TimedPlace from;
+    std::vector<Piece> ahead;
+  };
+  std::optional<AtWork> at_work(const Member& m, Instant now) const;
   void add_sites(const Member& m, Instant now, std::vector<WorkSite>& sites) const;
   void add_work_after(const Member& m, const TimedPlace& arrives, CellRange leads_to,
                       std::vector<WorkSite>& sites) const;
@@ -131,6 +145,22 @@ class SchedulerNode {
   std::vector<Piece> up_to_way(const SortieOrder& sortie, std::size_t first) const;
   std::optional<std::uint32_t> first_left(const Piece& piece) const;
   double work_altitude_m(FieldPoint at) const;
+
+  // near_work.cpp
+  struct Line {
+    planner::PointM from, to;
+  };
+  Length near_work() const;
+  void find_near_work();
+  bool is_shared(CellRange cells) const;
+  Line line(CellRange cells) const;
+  bool may_begin(const Member& m, const SortieOrder& sortie, std::size_t piece, CellRange cells,
+                 Instant now) const;
+  bool is_free(const Member& m, CellRange leads_to, Instant now) const;
+  bool is_free(const Member& m, const Line& at, Instant now) const;
+  bool comes_soon_to_next(const Member& m) const;
+  bool is_near(const Member& m, const Line& at, Instant now) const;
+  bool is_clear_of_ways(const Member& m, const Piece& next) const;
 
   // operator_orders.cpp
   void take_orders(Instant now, Outbox& out);
@@ -151,7 +181,7 @@ class SchedulerNode {
   void check_limit(Instant now, Outbox& out);
   void direct(Member& m, Instant now, Outbox& out);
   void command(Member& m, Instant now, Outbox& out);
-  void release(Member& m);
+  void release(Member& m, Instant now);
   void send_grant(Member& m, Instant now, Outbox& out);
   void lose(Member& m, std::string_view why, Outbox& out);
   void forsake(const Member& m, std::string_view why, Outbox& out);
@@ -186,6 +216,8 @@ class SchedulerNode {
   SchedulerSettings settings_;
   Ledger ledger_;
   std::optional<Airspace> airspace_{};
+  double near_m_ = 0.0;                    ///< Nearer to each other, work is for one at a time.
+  std::vector<bool> is_near_others_{};     ///< By strip; empty where nobody keeps a distance.
   std::vector<Member> members_;            ///< In order of agent id.
   std::vector<Station> stations_{};        ///< Where sorties can end, bays as they are left.
   std::set<StationId> shut_{};             ///< Of these, without a bay or with an empty stock.
