@@ -56,11 +56,13 @@ void AgentNode::receive_scheduler(const SchedulerState& state, Instant now) {
   if (state.epoch < scheduler_epoch_) return;  // fenced off
   if (state.epoch > scheduler_epoch_) {
     scheduler_epoch_ = state.epoch;
+    is_given_up_ = false;
     send_info(now);
   }
   scheduler_heard_ = now;
   is_mission_over_ = state.phase == MissionPhase::finished;
   if (std::exchange(is_scheduler_lost_, false)) note("scheduler_heard", "is back");
+  heed_loss(state, now);
 }
 
 void AgentNode::note(std::string kind, std::string detail) {

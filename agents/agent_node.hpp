@@ -119,8 +119,9 @@ class AgentNode {
   void pause();
   void go_on(Instant t);
   void dismiss(Instant t);
-  bool may_work() const { return level_ == FleetLevel::fly && !is_taken_out_; }
-  bool is_dismissed() const { return level_ == FleetLevel::end || is_taken_out_; }
+  void heed_loss(const SchedulerState& state, Instant now);
+  bool may_work() const { return level_ == FleetLevel::fly && !is_taken_out_ && !is_given_up_; }
+  bool is_dismissed() const { return level_ == FleetLevel::end || is_taken_out_ || is_given_up_; }
   bool is_recalled() const { return level_ == FleetLevel::land || is_dismissed(); }
 
   // agent_ground.cpp: orders, stations, take-off.
@@ -175,6 +176,7 @@ class AgentNode {
   // What the operator lets it do.
   FleetLevel level_ = FleetLevel::fly;
   bool is_taken_out_ = false;
+  bool is_given_up_ = false;  // the scheduler took it for lost
   Epoch level_epoch_{};
   std::uint32_t level_revision_ = 0;
 

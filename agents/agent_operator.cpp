@@ -32,6 +32,17 @@ void AgentNode::come_home(Instant t) {
   leave(CloseReason::recalled, t);
 }
 
+// Whom the scheduler has given up is given no more work by it, so it goes home for good.
+void AgentNode::heed_loss(const SchedulerState& state, Instant now) {
+  const bool is_lost =
+      std::find(state.lost.begin(), state.lost.end(), vehicle_.id) != state.lost.end();
+  if (!is_lost || is_given_up_) return;
+  is_given_up_ = true;
+  if (phase_ == Phase::offline || phase_ == Phase::done) return;
+  note("given_up", "hears that it was taken for lost and comes home for good");
+  come_home(now);
+}
+
 // Who is on its way home lands: hovering there would only cost its pack.
 void AgentNode::pause() {
   const bool is_at_work = phase_ == Phase::fly_out || phase_ == Phase::spray;

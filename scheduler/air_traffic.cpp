@@ -25,6 +25,8 @@ bool contains(CellRange cells, std::uint32_t cell) {
 
 void SchedulerNode::hear(const FlightClaim& claim, Instant now, Outbox& out) {
   Member* claimant = member(claim.agent, claim.boot, now);
+  const bool is_way_home = claim.departure != Departure::from_ground && claim.leads_to.count == 0;
+  if (claimant == nullptr && is_way_home) claimant = lost_member(claim.agent, claim.boot);
   if (claimant == nullptr || claim.track.size() < 2) return;
   if (claim.departure == Departure::from_hover) {
     claimant->place = {now, claim.track.front().position, 0.0};
@@ -35,6 +37,7 @@ void SchedulerNode::hear(const FlightClaim& claim, Instant now, Outbox& out) {
   } else if (auto grant = airspace_->answer(claim, work_sites(*claimant, claim, now),
                                             is_free(*claimant, claim.leads_to, now), now)) {
     out.messages.push_back(*grant);
+    if (claimant->lost) expect_home(*claimant, now);
   }
 }
 
@@ -42,7 +45,7 @@ std::vector<WorkSite> SchedulerNode::work_sites(const Member& claimant, const Fl
                                                 Instant now) const {
   std::vector<WorkSite> sites;
   for (const Member& m : members_) {
-    if (!m.lost && m.agent != claimant.agent) add_sites(m, now, sites);
+    if (m.agent != claimant.agent) add_sites(m, now, sites);
   }
   add_work_after(claimant, claim.track.back(), claim.leads_to, sites);
   return sites;
@@ -50,6 +53,7 @@ std::vector<WorkSite> SchedulerNode::work_sites(const Member& claimant, const Fl
 
 // What an agent works at or comes to. Who is on its way home hovers, until that is its own.
 std::optional<SchedulerNode::AtWork> SchedulerNode::at_work(const Member& m, Instant now) const {
+  if (m.lost) return at_work_adrift(m, now);
   const auto arrives = airspace_->arrival(m.agent, now);
   const bool is_on_way = arrives && m.phase != Phase::hold &&
                          (m.phase != Phase::fly_back || arrives->leads_to.count == 0);
@@ -64,6 +68,7 @@ std::optional<SchedulerNode::AtWork> SchedulerNode::at_work(const Member& m, Ins
 
 // Where and when an agent is or will be at work, up to its next way.
 void SchedulerNode::add_sites(const Member& m, Instant now, std::vector<WorkSite>& sites) const {
+  if (m.lost) return add_adrift(m, now, sites);
   const auto its = at_work(m, now);
   if (!its) return;
   const std::size_t first = sites.size();

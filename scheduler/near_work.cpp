@@ -83,7 +83,7 @@ bool SchedulerNode::comes_soon_to_next(const Member& m) const {
 /// Whether an agent is or comes to work near a line, or hovers there.
 bool SchedulerNode::is_near(const Member& m, const Line& at, Instant now) const {
   const auto its = at_work(m, now);
-  if (!its || m.lost) return false;
+  if (!its) return false;
   const bool works_near = std::any_of(its->ahead.begin(), its->ahead.end(), [&](const Piece& p) {
     return planner::apart_m(at.from, at.to, plane(p.entry), plane(p.exit)) < near_m_;
   });

@@ -27,7 +27,7 @@ bool has_run_out(const Station& station, const StationState& state) {
 }  // namespace
 
 /// Its windows become uncertain, the rest of its list is to be shared out.
-void SchedulerNode::lose(Member& m, std::string_view why, Outbox& out) {
+void SchedulerNode::lose(Member& m, std::string_view why, Instant now, Outbox& out) {
   out.messages.push_back(event("agent_lost", text(m.agent) + ": " + std::string{why}));
   const auto windows = ledger_.windows(m.agent);
   std::vector<CellRange> open = open_cells(m);
@@ -35,6 +35,7 @@ void SchedulerNode::lose(Member& m, std::string_view why, Outbox& out) {
     const CellRange at_hand = windows.empty() ? open.front() : windows.front().cells;
     ++losses_[planner::strip_of(settings_.plan.route, at_hand.first)];
   }
+  if (airspace_) leave_adrift(m, now);
   forsake(m, "agent_lost", out);
   orphans_.insert(orphans_.end(), open.begin(), open.end());
   m.lost = true;

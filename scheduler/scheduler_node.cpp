@@ -126,13 +126,14 @@ void SchedulerNode::hear(const AgentInfo& info, Instant now, Outbox&) {
 
 void SchedulerNode::hear(const AgentState& state, Instant now, Outbox& out) {
   Member* m = member(state.agent, state.boot, now);
-  if (m == nullptr) return;
+  if (m == nullptr) return hear_adrift(state, now);
   m->phase = state.phase;
   m->place = {now, state.position, 0.0};
+  m->battery = state.battery;
   const bool follows = state.epoch == settings_.epoch && state.revision == m->revision;
   if (follows) m->accepted = true;
   if (state.phase == Phase::offline && has_work_left(*m) && !leaves_on_order(*m)) {
-    lose(*m, "it left the fleet", out);
+    lose(*m, "it left the fleet", now, out);
     return;
   }
   const bool lacks_grant = state.last_grant < ledger_.last_granted(m->agent);
@@ -149,7 +150,9 @@ void SchedulerNode::hear(const CommandAck& ack, Instant now, Outbox& out) {
     case AckStatus::done: m->accepted = true; break;
     case AckStatus::rejected:
     case AckStatus::failed:
-    case AckStatus::cancelled: lose(*m, "it does not follow its order: " + ack.reason, out); break;
+    case AckStatus::cancelled:
+      lose(*m, "it does not follow its order: " + ack.reason, now, out);
+      break;
     case AckStatus::received: break;
   }
 }
@@ -199,7 +202,7 @@ void SchedulerNode::gather(Instant now, Outbox& out) {
   if (phase_ != MissionPhase::gathering) return;
   const bool is_over = now >= Instant{settings_.gather_time};
   for (Member& m : members_) {
-    if (!m.boot && !m.lost && !m.joins && is_over) lose(m, "it was never heard of", out);
+    if (!m.boot && !m.lost && !m.joins && is_over) lose(m, "it was never heard of", now, out);
   }
   const bool is_complete = std::all_of(members_.begin(), members_.end(),
                                        [](const Member& m) { return m.boot || m.lost || m.joins; });
@@ -215,7 +218,7 @@ void SchedulerNode::check_leases(Instant now, Outbox& out) {
     if (!is_leased(m) || now - m.last_heard < settings_.agent_lease) continue;
     lose(m,
          "nothing was heard of it for " + std::to_string(seconds(now - m.last_heard).base()) + " s",
-         out);
+         now, out);
   }
 }
 

@@ -21,6 +21,8 @@ constexpr bool is_at_work(Phase phase) {
   return phase == Phase::fly_out || phase == Phase::spray || phase == Phase::hold;
 }
 
+constexpr bool is_in_air(Phase phase) { return is_at_work(phase) || phase == Phase::fly_back; }
+
 /// An order that is known before the mission.
 struct TimedOrder {
   Instant at;
@@ -51,11 +53,12 @@ struct SchedulerSettings {
 /// sends is a level and is sent again when an agent's heartbeat shows that the agent lacks it, at
 /// most every two seconds.
 ///
-/// An agent silent for longer than its lease is lost and never listened to again in this epoch. Its
-/// open windows are uncertain for good. The rest of its list is shared over the others; then what
-/// nobody has begun is shared out anew over all, if that ends the mission earlier. Each whose list
-/// changes is sent a new revision: what it has begun, then its other sorties. Strips at which
-/// aircraft are lost again and again, and what nobody reaches, are given up.
+/// An agent silent for longer than its lease is lost, and has no work any more in this epoch: it
+/// comes home once it hears so. Its open windows are uncertain for good. The rest of its list is
+/// shared over the others; then what nobody has begun is shared out anew over all, if that ends the
+/// mission earlier. Each whose list changes is sent a new revision: what it has begun, then its
+/// other sorties. Strips at which aircraft are lost again and again, and what nobody reaches, are
+/// given up.
 ///
 /// An agent that joins late is not waited for. Once it is heard of, the sorties that nobody has
 /// begun are shared out anew over all, unless the others would be done as early without it.
@@ -77,7 +80,9 @@ struct SchedulerSettings {
 ///
 /// Where aircraft keep a distance, what they claim to fly between stations and work is put off
 /// until it is clear of what others fly and of where they are at work. Work that lies nearer to
-/// other work than they keep is granted to one of them at a time, as it comes to it.
+/// other work than they keep is granted to one of them at a time, as it comes to it. Where a lost
+/// aircraft may still fly the air stays its own: until it is heard of on the ground, or a way home
+/// that it was given is flown, or its pack is empty.
 ///
 /// The mission is finished when every cell is sprayed or given up and every living agent is down;
 /// completed when none was given up but what is uncertain. Cells that the route leaves out are
@@ -105,15 +110,19 @@ class SchedulerNode {
     Phase phase = Phase::idle;
     TimedPlace place{};     ///< As last heard.
     bool accepted = false;  ///< The revision.
+    double battery = 1.0;   ///< Share of a pack, as last heard.
     bool lost = false;
-    bool joins = false;   ///< Comes late, and has no share of the work yet.
-    bool is_out = false;  ///< Taken out, by the operator or as its window ends.
+    std::vector<Piece> adrift{};  ///< Lost: what it may still fly over.
+    Instant down_by{};            ///< Lost: surely on the ground from then on.
+    bool joins = false;           ///< Comes late, and has no share of the work yet.
+    bool is_out = false;          ///< Taken out, by the operator or as its window ends.
     std::optional<Instant> commanded_at{}, granted_at{};
     Instant asks_again{};     ///< Earliest, for cells that could not be granted.
     bool owes_grant = false;  ///< The level has changed since it was last sent.
   };
 
   Member* member(AgentId agent, BootId boot, Instant now);
+  Member* lost_member(AgentId agent, BootId boot);
   void hear(const Envelope& envelope, Instant now, Outbox& out);
   void hear(const AgentInfo& info, Instant now, Outbox& out);
   void hear(const AgentState& state, Instant now, Outbox& out);
@@ -145,6 +154,13 @@ class SchedulerNode {
   std::vector<Piece> up_to_way(const SortieOrder& sortie, std::size_t first) const;
   std::optional<std::uint32_t> first_left(const Piece& piece) const;
   double work_altitude_m(FieldPoint at) const;
+
+  // adrift.cpp: the lost that may still fly.
+  void leave_adrift(Member& m, Instant now);
+  void hear_adrift(const AgentState& state, Instant now);
+  void expect_home(Member& m, Instant now);
+  std::optional<AtWork> at_work_adrift(const Member& m, Instant now) const;
+  void add_adrift(const Member& m, Instant now, std::vector<WorkSite>& sites) const;
 
   // near_work.cpp
   struct Line {
@@ -183,7 +199,7 @@ class SchedulerNode {
   void command(Member& m, Instant now, Outbox& out);
   void release(Member& m, Instant now);
   void send_grant(Member& m, Instant now, Outbox& out);
-  void lose(Member& m, std::string_view why, Outbox& out);
+  void lose(Member& m, std::string_view why, Instant now, Outbox& out);
   void forsake(const Member& m, std::string_view why, Outbox& out);
   void abandon(CellRange cells, std::string_view why, Outbox& out);
   void share_out(Instant now, Outbox& out);

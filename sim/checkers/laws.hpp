@@ -2,7 +2,8 @@
 // The laws that every run keeps, simulated or real, judged from what was said in it alone.
 //
 // Work     L1  each cell is sprayed at most once
-//          L2  at the end each cell is sprayed or reported, none is silent
+//          L2  at the end each cell is sprayed or reported, none is silent; of what is closed by
+//              aircraft that were taken for lost and fly on nobody knows
 //          L5  dose within tolerance, nothing sprayed outside the field, in a hole or on an
 //              obstacle, valve closed in every phase but spray
 //          L6  work only on a grant newer than the last

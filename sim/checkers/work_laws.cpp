@@ -47,7 +47,7 @@ class WorkLaws final : public Checker {
     if (const auto* flown = std::get_if<FlightRecord>(&e.body)) observe_flight(*flown, e.sent);
     if (const auto* report = std::get_if<WorkReport>(&e.body)) observe_report(*report, e.sent);
     if (const auto* sortie = std::get_if<SortieReport>(&e.body)) observe_sortie(*sortie, e.sent);
-    if (const auto* state = std::get_if<SchedulerState>(&e.body)) last_state_ = *state;
+    if (const auto* state = std::get_if<SchedulerState>(&e.body)) observe_state(*state, e.sent);
     if (const auto* state = std::get_if<AgentState>(&e.body)) observe_phase(*state, e.sent);
   }
 
@@ -65,7 +65,9 @@ class WorkLaws final : public Checker {
       report("L2", ended,
              fmt::format("{} cells are accounted for, of {}", accounted, booked_.size()));
     }
-    if (last_state_.sprayed_cells != booked) {
+    std::uint32_t unheard = 0;
+    for (const AgentId agent : flies_on_) unheard += work_[agent].booked;
+    if (last_state_.sprayed_cells > booked || last_state_.sprayed_cells + unheard < booked) {
       report("L2", ended,
              fmt::format("the ledger says {} cells sprayed, the closures {}",
                          last_state_.sprayed_cells, booked));
@@ -76,6 +78,7 @@ class WorkLaws final : public Checker {
   struct Work {
     std::map<std::uint64_t, CellRange> granted;     // by grant id
     std::map<std::uint64_t, std::uint32_t> closed;  // cells sprayed, by grant id
+    std::uint32_t booked = 0;                       // the sum of these
     double sortie_m = 0.0;            // cells passed with the valve open in this sortie
     std::uint32_t sortie_pieces = 0;  // straight runs of them
     std::uint32_t sorties = 0;        // reported
@@ -164,9 +167,19 @@ class WorkLaws final : public Checker {
     }
   }
 
+  // The dead have been silent for as long as their lease when they are taken for lost.
+  void observe_state(const SchedulerState& state, Instant at) {
+    last_state_ = state;
+    for (const AgentId agent : state.lost) {
+      const auto said = said_.find(agent);
+      if (said != said_.end() && at - said->second < facts_.claim_lease) flies_on_.insert(agent);
+    }
+  }
+
   // A record of the flight comes after the heartbeat, so both are compared at the end. A valve that
   // opens at the very instant of a heartbeat may do so by a message that came after it.
   void observe_phase(const AgentState& state, Instant at) {
+    if (state.phase != Phase::offline) said_[state.agent] = at;
     if (state.phase != Phase::spray) closed_valves_.insert({state.agent, at});
   }
 
@@ -204,6 +217,7 @@ class WorkLaws final : public Checker {
                            text(node(reported.agent)), closure.grant));
         continue;
       }
+      work.booked += closure.sprayed;
       for (std::uint32_t i = 0; i < closure.sprayed; ++i) {
         if (++booked_[closure.cells.first + i] > 1) {
           report("L1", at,
@@ -242,6 +256,8 @@ class WorkLaws final : public Checker {
   std::vector<int> sprayed_, booked_;  // how often, by cell: in truth, and as closed
   std::map<AgentId, bool> was_open_;   // at the last point of its track
   std::set<std::pair<AgentId, Instant>> open_valves_, closed_valves_;  // by whom and when
+  std::map<AgentId, Instant> said_;  // when it last said where it is, but for those who leave
+  std::set<AgentId> flies_on_;       // lost and still there: what they close nobody listens to
   SchedulerState last_state_{};
 };
 

@@ -271,6 +271,32 @@ void fly_random_orders(std::uint64_t first_seed, std::uint64_t runs) {
   CHECK(completed > runs / 2);
 }
 
+/// Over a radio so bad that aircraft are taken for lost and fly on.
+void fly_random_silences(std::uint64_t first_seed, std::uint64_t runs) {
+  mission::Scenario scenario = small_fleet();
+  scenario.link.loss = 0.45;
+  scenario.agent_lease = std::chrono::seconds{3};
+  const auto plan = scheduler::plan_fleet(mission::fleet_problem(scenario));
+  REQUIRE(plan);
+  std::size_t lost = 0, came_home = 0;
+  Verdicts verdicts;
+  for (std::uint64_t seed = first_seed; seed < first_seed + runs; ++seed) {
+    CAPTURE(seed);
+    scenario.seed = seed;
+    const Log log = flown(scenario, *plan);
+    const SchedulerState last = judged(scenario, *plan, log, verdicts);
+    lost += last.lost.size();
+    came_home += count(log, "given_up");
+  }
+  verdicts.check();
+  CHECK(lost > runs);
+  CHECK(came_home > lost / 2);
+}
+
+TEST_CASE("random faults: who is taken for lost and flies on is kept clear of", "[sim]") {
+  fly_random_silences(1, 30);
+}
+
 TEST_CASE("random faults: what the operator orders loses no cell and sprays none twice", "[sim]") {
   fly_random_orders(1, 100);
 }
