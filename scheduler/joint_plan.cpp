@@ -260,12 +260,13 @@ ModelMargins losses(const FlownLists& flown) {
 class Judge {
  public:
   Judge(const planner::Route& route, const RouteLengths& lengths, std::span<const Vehicle> vehicles,
-        std::span<const Station> stations, std::span<const double> ready_s)
+        std::span<const Station> stations, std::span<const double> ready_s, std::size_t threads)
       : route_{route},
         lengths_{lengths},
         vehicles_{vehicles},
         stations_{stations},
-        ready_s_{ready_s} {}
+        ready_s_{ready_s},
+        threads_{threads} {}
 
   /// @return  The makespan, if tanks and packs carry the sorties and all are down in time.
   std::optional<double> consider(const fleet::FleetProblem& model,
@@ -291,7 +292,7 @@ class Judge {
     }
     bool is_carried = false;
     const auto anneal = [&](std::size_t run) { return annealed(model, settings, start, run); };
-    for (const auto& found : planner::at_once(runs, anneal)) {
+    for (const auto& found : planner::at_once(runs, anneal, threads_)) {
       if (!found) continue;
       evaluations_ += found->evaluations;
       is_carried |= consider(model, found->sorties).has_value();
@@ -307,6 +308,7 @@ class Judge {
   std::span<const Vehicle> vehicles_;
   std::span<const Station> stations_;
   std::span<const double> ready_s_;
+  std::size_t threads_;
   std::optional<FlownLists> best_{};
   std::uint64_t evaluations_ = 0;
 };
@@ -398,9 +400,10 @@ std::optional<JointPlan> joint_plan(const planner::Route& route, const RouteLeng
                                     std::span<const Vehicle> vehicles,
                                     std::span<const Station> stations,
                                     const planner::SolveSettings& settings,
-                                    const SortieLists& start, std::span<const double> ready_s) {
+                                    const SortieLists& start, std::span<const double> ready_s,
+                                    std::size_t threads) {
   JointPlan plan{.flown = {}, .evaluations = 0, .till_empty_s = {}, .simple_s = {}};
-  Judge judge{route, lengths, vehicles, stations, ready_s};
+  Judge judge{route, lengths, vehicles, stations, ready_s, threads};
   ModelMargins margins;
   const bool is_begun =
       std::any_of(start.begin(), start.end(), [](const auto& list) { return !list.empty(); });

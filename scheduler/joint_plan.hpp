@@ -7,6 +7,7 @@
 #include "scheduler/remnant.hpp"
 #include "scheduler/share_times.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -74,13 +75,15 @@ struct JointPlan {
 ///
 /// The work is set by the settings' budget, not by time.
 ///
-/// @param start  May leave out everything: then it begins without.
+/// @param start    May leave out everything: then it begins without.
+/// @param threads  Searches that run at a time, at most; 0: all. The plan is the same for any.
 /// @return  Nothing where no such plan is carried by tanks and packs with all down in time, or on
 /// surveys.
 std::optional<JointPlan> joint_plan(const planner::Route& route, const RouteLengths& lengths,
                                     std::span<const Vehicle> vehicles,
                                     std::span<const Station> stations,
                                     const planner::SolveSettings& settings,
-                                    const SortieLists& start, std::span<const double> ready_s = {});
+                                    const SortieLists& start, std::span<const double> ready_s = {},
+                                    std::size_t threads = 0);
 
 }  // namespace furrow::scheduler

@@ -1,13 +1,17 @@
 #include "scheduler/joint_plan.hpp"
 
+#include "planner/at_once.hpp"
 #include "scheduler/orders.hpp"
 #include "tests/scheduler/fixture.hpp"
 
 #include <catch2/catch.hpp>
+
+#include <atomic>
+#include <chrono>
 #include <cmath>
 #include <numbers>
-
 #include <set>
+#include <thread>
 
 namespace furrow::scheduler {
 namespace {
@@ -166,6 +170,57 @@ TEST_CASE("joint plan: no slower than till empty, simple, and what it begins wit
     const auto again = joint_plan(route, lengths, fleet, stations, settings(returns), start);
     REQUIRE(again);
     CHECK(again->flown.forecast.makespan_s == makespan_s);
+  }
+}
+
+TEST_CASE("joint plan: the same for one thread, two, and more than there are searches",
+          "[scheduler]") {
+  const planner::Route route = comb(12, 20);  // 480 m, 20 tanks
+  const std::vector<Station> stations = two_stations();
+  const RouteLengths lengths = route_lengths(route, stations);
+  const auto fleet = small_fleet(3);
+  const auto found = [&](std::size_t threads) {
+    auto plan = joint_plan(route, lengths, fleet, stations,
+                           settings(planner::ReturnStrategy::joint), {}, {}, threads);
+    REQUIRE(plan);
+    return *plan;
+  };
+  const JointPlan one = found(1);
+  REQUIRE(one.evaluations > 0);
+  for (const std::size_t threads : {2, 3, 64, 0}) {
+    const JointPlan other = found(threads);
+    CHECK(other.evaluations == one.evaluations);
+    CHECK(other.till_empty_s == one.till_empty_s);
+    CHECK(other.simple_s == one.simple_s);
+    CHECK(other.flown.forecast.makespan_s == one.flown.forecast.makespan_s);
+    CHECK(other.flown.order.cells == one.flown.order.cells);
+    for (std::size_t u = 0; u < fleet.size(); ++u) {
+      const UavPlan &a = one.flown.uavs[u], &b = other.flown.uavs[u];
+      CHECK(a.cells == b.cells);
+      CHECK(a.solution.plan.returns == b.solution.plan.returns);
+      CHECK(a.lands_s == b.lands_s);
+      REQUIRE(a.landings.size() == b.landings.size());
+      for (std::size_t k = 0; k < a.landings.size(); ++k) {
+        CHECK(a.landings[k].id == b.landings[k].id);
+      }
+    }
+  }
+}
+
+TEST_CASE("at once: answers come in order, and no more threads run than are wanted",
+          "[scheduler]") {
+  for (const std::size_t threads : {1, 2, 5}) {
+    std::atomic<std::size_t> running = 0, most = 0;
+    const auto square = [&](std::size_t i) {
+      std::size_t now = ++running, seen = most;
+      while (now > seen && !most.compare_exchange_weak(seen, now)) {
+      }
+      std::this_thread::sleep_for(std::chrono::milliseconds{2});
+      --running;
+      return i * i;
+    };
+    CHECK(planner::at_once(5, square, threads) == std::vector<std::size_t>{0, 1, 4, 9, 16});
+    CHECK(most <= threads);
   }
 }
 
