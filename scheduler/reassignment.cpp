@@ -96,11 +96,13 @@ void SchedulerNode::welcome(Instant now, Outbox& out) {
   if (is_new) share_anew(now, out);
 }
 
-/// What it says of bays that are shut and of its stock; neither is ever mended.
+/// What it says of its queue, of bays that are shut and of its stock; the last two are never
+/// mended.
 void SchedulerNode::hear(const StationState& state, Outbox& out) {
   const auto known = std::find_if(stations_.begin(), stations_.end(),
                                   [&](const Station& s) { return s.id == state.station; });
   if (known == stations_.end() || shut_.contains(known->id)) return;
+  next_free_[known->id] = state.next_free;
   if (has_run_out(*known, state)) {
     shut_.insert(known->id);
     has_supply_failed_ = true;
@@ -277,14 +279,20 @@ double SchedulerNode::done_s(const Member& m, Instant now) const {
   return std::max(m.lands_s, now_s + least.base());
 }
 
-/// Done with its list, and served.
+/// When a bay is free for one who is at a station then, as far as the station has said.
+double SchedulerNode::bay_free_s(const Station& at, double arrives_s) const {
+  const auto said = next_free_.find(at.id);
+  return said == next_free_.end() ? arrives_s : std::max(arrives_s, seconds(said->second).base());
+}
+
+/// Done with its list, and served after those who wait there already.
 Survivor SchedulerNode::survivor(const Member& m, Instant now) const {
   Survivor s{.vehicle = m.vehicle,
              .station = haven(m.station),
              .ready_s = std::max(seconds(now.time_since_epoch()), m.vehicle.available_from).base()};
   if (m.pieces.empty()) return s;
   s.vehicle.home = s.station.position;
-  s.ready_s = done_s(m, now) + service_time(s.station, true, 1.0).base();
+  s.ready_s = bay_free_s(s.station, done_s(m, now)) + service_time(s.station, true, 1.0).base();
   return s;
 }
 

@@ -9,6 +9,7 @@
 #include "scheduler/ledger.hpp"
 #include "scheduler/takeover.hpp"
 
+#include <map>
 #include <optional>
 #include <set>
 #include <string_view>
@@ -64,7 +65,8 @@ struct SchedulerSettings {
 /// begun are shared out anew over all, unless the others would be done as early without it.
 ///
 /// Where a bay or a station fails or comes to the end of its stock, what nobody has begun is
-/// planned anew for those that are left, be they in the plan or not.
+/// planned anew for those that are left, be they in the plan or not. Whoever is to be served before
+/// more work is foreseen to wait behind the queue that its station tells.
 ///
 /// An obstacle that an aircraft meets is told to all that still fly or will, by a new revision with
 /// the same work. From then on forecasts count the ways around it. Where it blocks a strip, the
@@ -213,6 +215,7 @@ class SchedulerNode {
   bool can_take_more(const Member& m, Instant now) const;
   std::uint32_t cells_left(const Member& m) const;
   double done_s(const Member& m, Instant now) const;
+  double bay_free_s(const Station& at, double arrives_s) const;
   void spare_the_fleet(Outbox& out);
   void extend(Member& m, Addition added, Outbox& out);
   void cut_blocked(Member& m, std::uint32_t first, Outbox& out);
@@ -232,16 +235,17 @@ class SchedulerNode {
   SchedulerSettings settings_;
   Ledger ledger_;
   std::optional<Airspace> airspace_{};
-  double near_m_ = 0.0;                    ///< Nearer to each other, work is for one at a time.
-  std::vector<bool> is_near_others_{};     ///< By strip; empty where nobody keeps a distance.
-  std::vector<Member> members_;            ///< In order of agent id.
-  std::vector<Station> stations_{};        ///< Where sorties can end, bays as they are left.
-  std::set<StationId> shut_{};             ///< Of these, without a bay or with an empty stock.
-  bool has_supply_failed_ = false;         ///< And that is not planned for yet.
-  std::vector<CellRange> orphans_{};       ///< Open cells of lost agents, not yet shared out.
-  std::vector<KeptObstacle> obstacles_{};  ///< Met in flight, in the order heard of.
-  planner::Room room_;                     ///< With these.
-  std::vector<std::uint32_t> losses_;      ///< By strip: agents lost at work on it.
+  double near_m_ = 0.0;                       ///< Nearer to each other, work is for one at a time.
+  std::vector<bool> is_near_others_{};        ///< By strip; empty where nobody keeps a distance.
+  std::vector<Member> members_;               ///< In order of agent id.
+  std::vector<Station> stations_{};           ///< Where sorties can end, bays as they are left.
+  std::map<StationId, Instant> next_free_{};  ///< Of these, as last said.
+  std::set<StationId> shut_{};                ///< Of these, without a bay or with an empty stock.
+  bool has_supply_failed_ = false;            ///< And that is not planned for yet.
+  std::vector<CellRange> orphans_{};          ///< Open cells of lost agents, not yet shared out.
+  std::vector<KeptObstacle> obstacles_{};     ///< Met in flight, in the order heard of.
+  planner::Room room_;                        ///< With these.
+  std::vector<std::uint32_t> losses_;         ///< By strip: agents lost at work on it.
   FleetLevel level_ = FleetLevel::fly;
   std::optional<Instant> held_since_{};  ///< Nobody works; forecasts count up to here.
   std::uint32_t level_revision_ = 0, reported_revision_ = 0;

@@ -104,6 +104,38 @@ TEST_CASE("reassignment: a station that no plan goes to is planned with when ano
   check_sent_to_station_1(desk, east.id);
 }
 
+TEST_CASE("reassignment: who would have to wait behind a long queue is given no more",
+          "[scheduler]") {
+  const Station east = station(2, 1, at_m(12, 0)), spare = station(3, 1, at_m(6, 0));
+  SchedulerSettings s = to_the_east(east, east);
+  s.plan.uavs[0].station = station(1);
+  s.plan.uavs[0].landings = {};
+  s.stations = {station(1), east, spare};
+  for (const bool is_long : {false, true}) {
+    Desk desk{s};
+    StationState queue{};
+    queue.station = east.id;
+    queue.open_bays = 1;
+    queue.next_free = is_long ? at_s(5000) : at_s(2);
+    desk.tell(node(east.id), at_s(2), queue);
+    StationState failed{};
+    failed.station = spare.id;
+    desk.tell(node(spare.id), at_s(3), failed);  // what nobody has begun is planned anew
+    // Each has begun two of three sorties; the two that are left are shared, or both the first's.
+    const auto cells = [&](std::uint32_t agent) {
+      std::uint32_t sum = 0;
+      for (const Piece& p : pieces(desk.last.at(AgentId{agent}).sorties)) sum += p.cells.count;
+      return sum;
+    };
+    CHECK(cells(1) + cells(2) == strips * cells_per_strip);
+    if (is_long) {
+      CHECK(cells(2) == 2 * cells_per_strip);
+    } else {
+      CHECK(cells(2) > 2 * cells_per_strip);
+    }
+  }
+}
+
 TEST_CASE("reassignment: a station that has given away its stock is planned with no more",
           "[scheduler]") {
   Station east = station(2, 1, at_m(12, 0));
