@@ -126,6 +126,22 @@ TEST_CASE("operator: one that is taken out gives its windows back at home and st
   CHECK(each_once(other.log, 300));
 }
 
+TEST_CASE("operator: one that hears that it was taken for lost comes home for good", "[agents]") {
+  SchedulerState lost{}, others{};
+  lost.epoch = others.epoch = Epoch{1};
+  lost.phase = others.phase = MissionPhase::flying;
+  lost.lost = {agent_7};
+  others.lost = {AgentId{8}};
+  const Said said = told(
+      {{40, {lost}}, {60, {level(1, FleetLevel::land)}}, {80, {level(2, FleetLevel::fly)}}}, 300);
+  CHECK(contains(event_kinds(said.log), "given_up"));
+  CHECK(said.phase_at(50) == Phase::fly_back);
+  CHECK(said.phase_at(299) == Phase::offline);
+  CHECK(all<SortieReport>(said.log).size() == 1);
+  const Said other = told({{40, {others}}});
+  CHECK(each_once(other.log, 300));
+}
+
 TEST_CASE("operator: a stopped mission ends on the ground, also for who waits for a bay",
           "[agents]") {
   const Vehicle small = [] {
