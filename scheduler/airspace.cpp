@@ -101,20 +101,20 @@ Airspace::Airspace(Length distance)
 }
 
 std::optional<FlightGrant> Airspace::answer(const FlightClaim& claim,
-                                            const std::vector<WorkSite>& sites, bool is_free,
+                                            const std::vector<WorkSite>& sites, Length near,
                                             Instant now) {
   std::erase_if(flights_, [now](const Flight& f) { return f.track.back().at < now; });
   for (const Flight& f : flights_) {
     if (f.agent == claim.agent && f.grant.claim >= claim.claim) return f.grant;
   }
   if (claim.departure == Departure::begun) return book(claim, Duration{});
-  const std::vector<Pass> low = passes(claim, sites);
+  const std::vector<Pass> low = passes(claim, sites, near, now);
   if (claim.departure == Departure::in_motion) {
-    if (is_free && is_clear(claim, low, Duration{})) return book(claim, Duration{});
+    if (is_clear(claim, low, Duration{})) return book(claim, Duration{});
     return FlightGrant{claim.agent, claim.boot, claim.claim, false, now};
   }
   std::erase_if(flights_, [&](const Flight& f) { return f.agent == claim.agent; });  // given up
-  const auto put_off = is_free ? delay(claim, low, now) : std::nullopt;
+  const auto put_off = delay(claim, low, now);
   return put_off ? std::optional{book(claim, *put_off)} : std::nullopt;
 }
 
@@ -125,19 +125,23 @@ std::optional<Airspace::Arrival> Airspace::arrival(AgentId agent, Instant now) c
   return std::nullopt;
 }
 
-bool Airspace::is_clear(const std::vector<WorkSite>& sites) const {
+bool Airspace::is_clear(const std::vector<WorkSite>& own, const std::vector<WorkSite>& others,
+                        Length near, Instant now) const {
   std::vector<Pass> found;
-  for (const WorkSite& site : sites) {
+  for (const WorkSite& site : own) {
     for (const Flight& f : flights_) {
       if (f.agent != site.agent) add_passes(f.track, site, true, found);
     }
+    add_near(site, others, near, now, found);
   }
   return std::none_of(found.begin(), found.end(), [](const Pass& p) { return p.meets({}); });
 }
 
-// Of the claimed track by the others' sites, and of the others' tracks by the claimant's.
+// Of the claimed track by the others' sites, of the others' tracks by the claimant's, and of these
+// by each other.
 std::vector<Airspace::Pass> Airspace::passes(const FlightClaim& claim,
-                                             const std::vector<WorkSite>& sites) const {
+                                             const std::vector<WorkSite>& sites, Length near,
+                                             Instant now) const {
   std::vector<Pass> found;
   for (const WorkSite& site : sites) {
     if (site.agent != claim.agent) {
@@ -147,8 +151,25 @@ std::vector<Airspace::Pass> Airspace::passes(const FlightClaim& claim,
     for (const Flight& f : flights_) {
       if (f.agent != claim.agent) add_passes(f.track, site, true, found);
     }
+    add_near(site, sites, near, now, found);
   }
   return found;
+}
+
+// Of a site by others' that are near it. How late somebody is at work grows with the way there.
+void Airspace::add_near(const WorkSite& own, const std::vector<WorkSite>& others, Length near,
+                        Instant now, std::vector<Pass>& found) {
+  constexpr double late_share = 0.3;
+  const auto latest = [now](const WorkSite& site) {
+    return site.leaves == never ? never
+                                : site.leaves + duration(late_share * seconds(site.leaves - now));
+  };
+  for (const WorkSite& other : others) {
+    const bool is_near = other.agent != own.agent &&
+                         planner::apart_m(plane(own.from), plane(own.to), plane(other.from),
+                                          plane(other.to)) < near.base();
+    if (is_near) found.push_back({own.enters, latest(own), other.enters, latest(other)});
+  }
 }
 
 // But for those that are over before the claimant is there, however long it is put off.

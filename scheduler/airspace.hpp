@@ -36,12 +36,15 @@ class Airspace {
   /// where the flight is not clear within two minutes: it may be claimed again.
   /// @param sites  Of all who are at work or on their way to it, the claimant's own from the end of
   /// the flight on, if it is not put off.
-  /// @param is_free  Whether nobody is at work where the flight leads to, or too near.
+  /// @param near   So near to others' work must not be, at the same time, what the flight leads to;
+  /// 0: it is near none.
   std::optional<FlightGrant> answer(const FlightClaim& claim, const std::vector<WorkSite>& sites,
-                                    bool is_free, Instant now);
+                                    Length near, Instant now);
 
-  /// Whether no flight of another that was given passes one of them low while it is worked at.
-  bool is_clear(const std::vector<WorkSite>& sites) const;
+  /// Whether no flight of another that was given passes one of an agent's sites low while it is
+  /// worked at, and none of the others' sites is nearer then than `near`.
+  bool is_clear(const std::vector<WorkSite>& own, const std::vector<WorkSite>& others, Length near,
+                Instant now) const;
 
   /// Where and when the flight given to an aircraft ends, and the work that it leads to.
   struct Arrival {
@@ -60,8 +63,8 @@ class Airspace {
     Track track;
   };
 
-  /// A low part of a track by a site near it: when the claimant is there, if it is not put off, and
-  /// when the other is.
+  /// A low part of a track by a site near it, or a site by another: when the claimant is there, if
+  /// it is not put off, and when the other is.
   struct Pass {
     Instant enters, leaves;
     Instant other_enters, other_leaves;
@@ -73,7 +76,10 @@ class Airspace {
     }
   };
 
-  std::vector<Pass> passes(const FlightClaim& claim, const std::vector<WorkSite>& sites) const;
+  std::vector<Pass> passes(const FlightClaim& claim, const std::vector<WorkSite>& sites,
+                           Length near, Instant now) const;
+  static void add_near(const WorkSite& own, const std::vector<WorkSite>& others, Length near,
+                       Instant now, std::vector<Pass>& found);
   void add_passes(const Track& track, const WorkSite& site, bool is_own,
                   std::vector<Pass>& found) const;
   bool is_clear(const FlightClaim& claim, const std::vector<Pass>& passes, Duration delay) const;

@@ -168,17 +168,14 @@ class SchedulerNode {
   struct Line {
     planner::PointM from, to;
   };
-  Length near_work() const;
   void find_near_work();
   bool is_shared(CellRange cells) const;
   Line line(CellRange cells) const;
   bool may_begin(const Member& m, const SortieOrder& sortie, std::size_t piece, CellRange cells,
                  Instant now) const;
-  bool is_free(const Member& m, CellRange leads_to, Instant now) const;
-  bool is_free(const Member& m, const Line& at, Instant now) const;
+  Length near_work(const Member& m, CellRange leads_to) const;
   bool comes_soon_to_next(const Member& m) const;
-  bool is_near(const Member& m, const Line& at, Instant now) const;
-  bool is_clear_of_ways(const Member& m, const Piece& next) const;
+  bool is_clear(const Member& m, Piece next, CellRange cells, Instant now) const;
 
   // operator_orders.cpp
   void take_orders(Instant now, Outbox& out);
