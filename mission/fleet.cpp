@@ -168,7 +168,8 @@ scheduler::FleetProblem fleet_problem(const Scenario& scenario) {
           .solver = scenario.solver,
           .terrain = scenario.terrain,
           .joining = std::move(joining),
-          .survey = survey_of(scenario)};
+          .survey = survey_of(scenario),
+          .separation = scenario.separation};
 }
 
 BootId first_boot(const Scenario& scenario, NodeId node) {

@@ -35,7 +35,7 @@ void SchedulerNode::hear(const FlightClaim& claim, Instant now, Outbox& out) {
     const Instant departs = std::max(now, claim.track.front().at);
     out.messages.push_back(FlightGrant{claim.agent, claim.boot, claim.claim, true, departs});
   } else if (auto grant = airspace_->answer(claim, work_sites(*claimant, claim, now),
-                                            near_work(*claimant, claim.leads_to), now)) {
+                                            kept_from_near_work(*claimant, claim.leads_to), now)) {
     out.messages.push_back(*grant);
     if (claimant->lost) expect_home(*claimant, now);
   }

@@ -22,6 +22,7 @@ struct FleetProblem {
   std::vector<Vehicle> joining{};  ///< Come after the start: they are given no share.
   /// Then way points are visited and nothing is sprayed; the terrain's work height is the survey's.
   std::optional<planner::SurveySettings> survey{};
+  std::optional<Length> separation{};  ///< That aircraft in the air keep; none: any.
 };
 
 /// With those who come late, by id.

@@ -34,6 +34,11 @@ std::vector<Line> lines(const std::vector<planner::Strip>& strips) {
 
 }  // namespace
 
+Length near_work(Length separation, Length narrowest_swath) {
+  constexpr Length off_lines = metres(1);
+  return separation + std::min(off_lines, 0.2 * narrowest_swath);
+}
+
 std::vector<bool> strips_near_others(const planner::Route& route, Length near) {
   const double near_m = near.base();
   std::vector<Line> all = lines(route.strips);

@@ -15,4 +15,8 @@ namespace furrow::scheduler {
 /// @param near  > 0.
 std::vector<bool> strips_near_others(const planner::Route& route, Length near);
 
+/// Nearer to each other than this is near for aircraft at work: the separation and what both may be
+/// off their lines, 1 m, or a fifth of the swath, so that strips a swath apart are not.
+Length near_work(Length separation, Length narrowest_swath);
+
 }  // namespace furrow::scheduler

@@ -9,8 +9,6 @@
 namespace furrow::scheduler {
 namespace {
 
-constexpr double room_m = 1.0;              // each of two is within 0.5 m of its line
-constexpr double most_room = 0.2;           // of a swath, so that neighbouring strips are apart
 constexpr Seconds comes_soon = seconds(8);  // long enough to be granted and not to have to brake
 
 planner::PointM plane(FieldPoint p) { return {p.x.base(), p.y.base()}; }
@@ -18,9 +16,9 @@ planner::PointM plane(FieldPoint p) { return {p.x.base(), p.y.base()}; }
 }  // namespace
 
 void SchedulerNode::find_near_work() {
-  Length room = metres(room_m);
-  for (const Member& m : members_) room = std::min(room, most_room * m.vehicle.swath);
-  near_m_ = (*settings_.separation + room).base();
+  Length swath = members_.empty() ? Length{} : members_.front().vehicle.swath;
+  for (const Member& m : members_) swath = std::min(swath, m.vehicle.swath);
+  near_m_ = near_work(*settings_.separation, swath).base();
   is_near_others_ = strips_near_others(settings_.plan.route, metres(near_m_));
 }
 
@@ -51,7 +49,7 @@ bool SchedulerNode::may_begin(const Member& m, const SortieOrder& sortie, std::s
 }
 
 /// Nearer than this to others' work must not be, at the same time, that to which a way leads.
-Length SchedulerNode::near_work(const Member& m, CellRange leads_to) const {
+Length SchedulerNode::kept_from_near_work(const Member& m, CellRange leads_to) const {
   if (leads_to.count == 0) return {};
   const std::vector<Piece> work = work_from(m, leads_to.first);
   const bool is_any_shared =

@@ -5,8 +5,10 @@
 #include "scheduler/fleet_returns.hpp"
 #include "scheduler/joint_plan.hpp"
 #include "scheduler/lower_bound.hpp"
+#include "scheduler/near_strips.hpp"
 #include "scheduler/path_model.hpp"
 #include "scheduler/sketch.hpp"
+#include "scheduler/turns_at_near_work.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -152,8 +154,15 @@ std::optional<JointPlan> jointly(const FleetProblem& problem, const Sketch& s,
   if (!has_choice || !planner::is_by_gravity(problem.solver.returns) || problem.survey) {
     return std::nullopt;
   }
-  return joint_plan(s.coverage.route, s.lengths, problem.vehicles, problem.stations, problem.solver,
-                    found ? lists_of(s, *found) : SortieLists(problem.vehicles.size()));
+  auto joint =
+      joint_plan(s.coverage.route, s.lengths, problem.vehicles, problem.stations, problem.solver,
+                 found ? lists_of(s, *found) : SortieLists(problem.vehicles.size()));
+  if (joint && problem.separation) {
+    const Length near = near_work(*problem.separation, problem.vehicles.front().swath);
+    joint->flown = turned_at_near_work(std::move(joint->flown), s.coverage.route, s.lengths,
+                                       problem.vehicles, problem.stations, near);
+  }
+  return joint;
 }
 
 /// Why nothing is planned: what hinders the shares, or whose window is too short for its share.

@@ -173,7 +173,7 @@ class SchedulerNode {
   Line line(CellRange cells) const;
   bool may_begin(const Member& m, const SortieOrder& sortie, std::size_t piece, CellRange cells,
                  Instant now) const;
-  Length near_work(const Member& m, CellRange leads_to) const;
+  Length kept_from_near_work(const Member& m, CellRange leads_to) const;
   bool comes_soon_to_next(const Member& m) const;
   bool is_clear(const Member& m, Piece next, CellRange cells, Instant now) const;
 
