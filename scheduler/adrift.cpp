@@ -29,6 +29,7 @@ void SchedulerNode::leave_adrift(Member& m, Instant now) {
   const bool is_flying = is_in_air(m.phase);
   m.down_by = (is_flying ? m.place.at : now) +
               duration((is_flying ? m.battery : 1.0) * m.vehicle.flight_endurance);
+  if (its) m.place = its->from;  // the end of a way that it was given
   for (const Piece& piece : its ? its->ahead : std::vector<Piece>{}) {
     const auto left = first_left(piece);
     if (left && ledger_.state(*left) == CellState::granted) m.adrift.push_back(piece);
@@ -52,6 +53,8 @@ void SchedulerNode::hear_adrift(const AgentState& state, Instant now) {
   m->down_by = now;
   if (!is_in_air(m->phase)) return;
   m->down_by += duration(m->battery * m->vehicle.flight_endurance);
+  const auto arrives = airspace_->arrival(m->agent, now);
+  if (m->phase == Phase::fly_out && arrives) m->place = arrives->place;
   expect_home(*m, now);
 }
 

@@ -44,8 +44,10 @@ void SchedulerNode::hear(const FlightClaim& claim, Instant now, Outbox& out) {
 std::vector<WorkSite> SchedulerNode::work_sites(const Member& claimant, const FlightClaim& claim,
                                                 Instant now) const {
   std::vector<WorkSite> sites;
+  // Who hovers to go home does not wait for one that may be dead: it would for a whole pack.
+  const bool waits_for_lost = claim.departure != Departure::from_hover || claim.leads_to.count > 0;
   for (const Member& m : members_) {
-    if (m.agent != claimant.agent) add_sites(m, now, sites);
+    if (m.agent != claimant.agent && (waits_for_lost || !m.lost)) add_sites(m, now, sites);
   }
   add_work_after(claimant, claim.track.back(), claim.leads_to, sites);
   return sites;
