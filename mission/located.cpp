@@ -25,7 +25,7 @@ std::string rule_of(PlanFault fault) {
     case PlanFault::margin_too_wide: return "must leave land to fly over";
     case PlanFault::too_many_rows: return "must cut the field into fewer rows";
     case PlanFault::window_too_short: return "must leave the fleet time for all of the field";
-    case PlanFault::kept_out: return "must leave the field, stations and starts free";
+    case PlanFault::kept_out: return "must leave the field, stations, starts and way points free";
     case PlanFault::ceiling_too_low: return "must let ferries over the ground on their way";
   }
   return "must allow a plan";

@@ -62,6 +62,24 @@ std::optional<PlanError> keep_out_fault(const planner::KeepOut& volume,
   return std::nullopt;
 }
 
+// A way point of a survey that is in the volume, or nearer to it than ways are searched.
+std::optional<PlanError> way_point_fault(const planner::KeepOut& volume, Length apart,
+                                         const planner::Relief& relief,
+                                         const std::vector<FieldPoint>& way_points) {
+  for (const FieldPoint at : way_points) {
+    const double flown_m = relief.work_altitude_m(at);
+    if (flown_m < volume.bottom_m || flown_m > volume.top_m) continue;
+    const Length away = distance(at, axis_of(volume)) - metres(volume.radius_m);
+    if (away >= apart) continue;
+    const auto place = fmt::format("the way point ({:.3f}, {:.3f}) m", at.x.base(), at.y.base());
+    return kept_out(volume, away <= Length{}
+                                ? "reaches over " + place
+                                : fmt::format("is {:.3f} m from {}; surveys keep {:.3f} m",
+                                              away.base(), place, apart.base()));
+  }
+  return std::nullopt;
+}
+
 std::optional<PlanError> ceiling_fault(const planner::Relief& relief) {
   const auto ceiling = relief.rule().ceiling;
   if (!ceiling || relief.highest_ferry_m() <= ceiling->base()) return std::nullopt;
@@ -94,6 +112,9 @@ Expected<planner::FerryMap, PlanError> ferry_map(const FleetProblem& problem) {
   for (const std::size_t i : relief.in_the_way()) {
     const planner::KeepOut& volume = relief.keep_out()[i];
     auto fault = keep_out_fault(volume, rule, field.boundary, problem.survey.has_value(), stands);
+    if (!fault && problem.survey) {
+      fault = way_point_fault(volume, rule.corner_cut, relief, problem.survey->way_points);
+    }
     if (fault) return Unexpected{std::move(*fault)};
     field.obstacles.push_back(obstacle(volume, rule));
   }

@@ -79,13 +79,25 @@ TEST_CASE("located: rows that are all too short are a fault of the fleet's swath
 
 TEST_CASE("located: a keep-out volume over a station is a fault of the volume's line",
           "[mission]") {
+  CHECK_THAT(
+      no_plan({{1,
+                "version: 1\nterrain:\n  base: {a: 1, b: 1, c: 1}\n  keep_out:\n"
+                "    - {center_m: [-90,0], radius_m: 5}\n"
+                "    - {center_m: [0,-9], radius_m: 5}"}}),
+      Catch::StartsWith("a.yaml:6: terrain.keep_out[1].center_m: must leave the field, "
+                        "stations, starts and way points free (got the keep-out volume at (0.000, "
+                        "-9.000) m reaches over (0.000, -5.000) m"));
+}
+
+TEST_CASE("located: a keep-out volume over a way point of a survey is a fault of its line",
+          "[mission]") {
   CHECK_THAT(no_plan({{1,
                        "version: 1\nterrain:\n  base: {a: 1, b: 1, c: 1}\n  keep_out:\n"
-                       "    - {center_m: [-90,0], radius_m: 5}\n"
-                       "    - {center_m: [0,-9], radius_m: 5}"}}),
-             Catch::StartsWith("a.yaml:6: terrain.keep_out[1].center_m: must leave the field, "
-                               "stations and starts free (got the keep-out volume at (0.000, "
-                               "-9.000) m reaches over (0.000, -5.000) m"));
+                       "    - {center_m: [60,30], radius_m: 5}\n"
+                       "survey:\n  height_m: 30\n  way_points: [{at_m: [58,30]}]"}}),
+             Catch::StartsWith("a.yaml:5: terrain.keep_out[0].center_m: must leave the field, "
+                               "stations, starts and way points free (got the keep-out volume at "
+                               "(60.000, 30.000) m reaches over the way point (58.000, 30.000) m"));
 }
 
 TEST_CASE("located: a ceiling too low for ferries is a fault of its line", "[mission]") {

@@ -387,6 +387,35 @@ TEST_CASE("plan fleet: keep-out volumes above all ferries and below work are no 
   CHECK_FALSE(planned(14, 300));
 }
 
+TEST_CASE("plan fleet: a keep-out volume at the survey's height over a way point is refused",
+          "[scheduler]") {
+  FleetProblem p = problem(200, 100, 1);
+  p.terrain = hill(at_m(100, 50), 40);  // the survey passes its top at 70 m
+  p.terrain->rule.spray_height = metres(30);
+  p.survey =
+      planner::SurveySettings{.way_points = {at_m(20, 20), at_m(100, 50)}, .height = metres(30)};
+  const auto planned = [&](double x_m, double bottom_m, double top_m) {
+    p.terrain->keep_out = {
+        {.x_m = x_m, .y_m = 50, .radius_m = 5, .bottom_m = bottom_m, .top_m = top_m}};
+    return ferry_map(p);
+  };
+  const auto over = planned(104, 0, 100);
+  REQUIRE(!over);
+  CHECK(over.error().fault == PlanFault::kept_out);
+  CHECK(over.error().at == at_m(104, 50));
+  CHECK(
+      over.error().detail ==
+      "the keep-out volume at (104.000, 50.000) m reaches over the way point (100.000, 50.000) m");
+  // Ways of aircraft with 2 m of swath keep 1 m, so 6 m from the axis.
+  const auto near = planned(105.5, 0, 100);
+  REQUIRE(!near);
+  CHECK_THAT(near.error().detail, Catch::EndsWith("is 0.500 m from the way point (100.000, 50.000) "
+                                                  "m; surveys keep 1.000 m"));
+  CHECK(planned(106.5, 0, 100));
+  CHECK_FALSE(planned(104, 0, 71));
+  CHECK(planned(104, 0, 69));  // below the survey there, whatever ferries meet
+}
+
 TEST_CASE("plan_fleet: aircraft fly within the time that they are available for", "[scheduler]") {
   FleetProblem p = problem(60, 400, 3);
   p.solver.returns = ReturnStrategy::joint;
