@@ -1,5 +1,6 @@
 #include "exchange/heights.hpp"
 
+#include "exchange/ascii_grid.hpp"
 #include "exchange/formats/polygons.hpp"
 #include "exchange/gdal.hpp"
 
@@ -73,7 +74,39 @@ struct Grid {
   }
 };
 
-Expected<Grid, Fault> grid_of(const OpenGrid& set) {
+// GDAL takes 0 for text in place of a number, and whole numbers for all where the first are whole.
+Expected<std::vector<float>, Fault> read_samples(const OpenGrid& set, const LandFile& file,
+                                                 int columns, int rows) {
+  if (set->GetDriver()->GetDescription() == std::string_view{"AAIGrid"}) {
+    return ascii_samples(file.bytes, static_cast<std::size_t>(columns),
+                         static_cast<std::size_t>(rows));
+  }
+  std::vector<float> read(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
+  if (set->GetRasterBand(1)->RasterIO(GF_Read, 0, 0, columns, rows, read.data(), columns, rows,
+                                      GDT_Float32, 0, 0) != CE_None) {
+    return Unexpected{Fault{"must be whole", "samples that cannot be read"}};
+  }
+  return read;
+}
+
+std::optional<Fault> missing_heights(const Grid& grid, GDALRasterBand& band) {
+  int has_none = 0;
+  const auto none = static_cast<float>(band.GetNoDataValue(&has_none));
+  const auto is_none = [&](float h) { return has_none && h == none; };
+  const auto is_missing = [&](float h) { return !(std::abs(h) < 20'000) || is_none(h); };
+  const auto& all = grid.heights_m;
+  const auto first = std::find_if(all.begin(), all.end(), is_missing);
+  if (first == all.end()) return std::nullopt;
+  const auto count = std::count_if(first, all.end(), is_missing);
+  const auto before = first - all.begin();
+  return Fault{"must have a height within 20 km for every sample, never NODATA",
+               fmt::format("{} {} without, the first in row {}, column {}: {}", count,
+                           count == 1 ? "sample" : "samples", before / grid.columns + 1,
+                           before % grid.columns + 1,
+                           is_none(*first) ? "NODATA" : fmt::format("{:g}", *first))};
+}
+
+Expected<Grid, Fault> grid_of(const OpenGrid& set, const LandFile& file) {
   Grid grid{.columns = set->GetRasterXSize(),
             .rows = set->GetRasterYSize(),
             .heights_m = {},
@@ -95,20 +128,11 @@ Expected<Grid, Fault> grid_of(const OpenGrid& set) {
   grid.per_row = -g[5];
   grid.west = g[0] + g[1] / 2;  // GDAL places the corner of the first sample's square
   grid.north = g[3] + g[5] / 2;
-  grid.heights_m.resize(static_cast<std::size_t>(count));
-  GDALRasterBand* band = set->GetRasterBand(1);
-  if (band->RasterIO(GF_Read, 0, 0, grid.columns, grid.rows, grid.heights_m.data(), grid.columns,
-                     grid.rows, GDT_Float32, 0, 0) != CE_None) {
-    return Unexpected{Fault{"must be whole", "samples that cannot be read"}};
-  }
-  int has_none = 0;
-  const auto none = static_cast<float>(band->GetNoDataValue(&has_none));
-  const auto missing = std::count_if(grid.heights_m.begin(), grid.heights_m.end(), [&](float h) {
-    return !(std::abs(h) < 20'000) || (has_none && h == none);
-  });
-  if (missing > 0) {
-    return Unexpected{Fault{"must have a height within 20 km for every sample",
-                            fmt::format("{} samples without", missing)}};
+  auto read = read_samples(set, file, grid.columns, grid.rows);
+  if (!read) return Unexpected{read.error()};
+  grid.heights_m = std::move(*read);
+  if (auto fault = missing_heights(grid, *set->GetRasterBand(1))) {
+    return Unexpected{std::move(*fault)};
   }
   return grid;
 }
@@ -217,7 +241,7 @@ Expected<Raster, Fault> heights(const LandFile& file, const LocalFrame& frame) {
         Fault{"must be an ESRI ASCII grid or a GeoTIFF",
               fmt::format("\"{}\"", shown(std::string_view{file.bytes}.substr(0, 12)))}};
   }
-  const auto grid = grid_of(set);
+  const auto grid = grid_of(set, file);
   if (!grid) return Unexpected{grid.error()};
   const Placement placement{set->GetSpatialRef(), frame};
   if (!placement.is_sound()) {

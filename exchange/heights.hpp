@@ -19,7 +19,8 @@ namespace furrow::exchange {
 /// datum.
 ///
 /// @return the grid, or why the file is none: another format, fewer than 2 samples on an axis, a
-/// sample without a height, a rotated grid; never throws, prints, or reads from a network.
+/// sample without a height or with NODATA or text in its place, a rotated grid; never throws,
+/// prints, or reads from a network.
 Expected<Raster, LandError> read_heights(const std::string& path, const LocalFrame& frame);
 Expected<Raster, LandError> read_heights(const LandFile& file, const LocalFrame& frame);
 

@@ -102,9 +102,47 @@ TEST_CASE("What is no grid of heights is refused with the rule") {
   std::string hole = grid_text;
   hole.replace(hole.find("6.5"), 3, "-9999");
   CHECK(refusal({"a.asc", hole}) ==
-        "a.asc: must have a height within 20 km for every sample (got 1 samples without)");
+        "a.asc: must have a height within 20 km for every sample, never NODATA (got 1 sample "
+        "without, the first in row 2, column 3: NODATA)");
   const auto none = read_heights("no/such.asc", LocalFrame{datum});
   CHECK(!none);
+}
+
+std::string with(const std::string& old, const std::string& other) {
+  const std::size_t at = grid_text.find(old);
+  REQUIRE(at != std::string::npos);
+  return grid_text.substr(0, at) + other + grid_text.substr(at + old.size());
+}
+
+TEST_CASE("Samples of a grid without a height are counted, and the first is named") {
+  CHECK(refusal({"a.asc", with("2 3\n4", "-9999 30000\nnan")}) ==
+        "a.asc: must have a height within 20 km for every sample, never NODATA (got 3 samples "
+        "without, the first in row 1, column 2: NODATA)");
+  CHECK(refusal({"a.asc", with("5 6.5", "5 30000.5")}) ==
+        "a.asc: must have a height within 20 km for every sample, never NODATA (got 1 sample "
+        "without, the first in row 2, column 3: 30000.5)");
+}
+
+TEST_CASE("Text in place of a height is refused with its place, and so are too few or too many") {
+  CHECK(refusal({"a.asc", with("5 6.5", "abc 6.5")}) ==
+        "a.asc: must have a number for every sample (got \"abc\" in line 8, row 2, column 2)");
+  CHECK(refusal({"a.asc", with("1 2", "x 2")}) ==
+        "a.asc: must have a number for every sample (got \"x\" in line 7, row 1, column 1)");
+  CHECK(refusal({"a.asc", with("5 6.5", "5 6.5m")}) ==
+        "a.asc: must have a number for every sample (got \"6.5m\" in line 8, row 2, column 3)");
+  CHECK(refusal({"a.asc", with("4 5 6.5", "4 5")}) ==
+        "a.asc: must have as many samples as its header says (got 5 for 3 x 2)");
+  CHECK(refusal({"a.asc", with("4 5 6.5", "4 5 6.5 7")}) ==
+        "a.asc: must have as many samples as its header says (got 7 for 3 x 2)");
+}
+
+TEST_CASE("Heights with a decimal comma, an exponent or a sign are read, whatever ends the lines") {
+  std::string text;
+  for (const char c : with("1 2 3\n4 5 6.5\n", "1,5\t+2 -3\n\n4e0  5.25 6")) {
+    if (c == '\n') text += '\r';
+    text += c;
+  }
+  CHECK(read({"hill.asc", text}).heights_m == std::vector<float>{4, 5.25, 6, 1.5, 2, -3});
 }
 
 }  // namespace
