@@ -300,7 +300,7 @@ Result summary(const MissionRecord& record, const Flown& flown) {
   r.solver = solver_figures(record);
   r.deviation = fleet_deviation(flown);
   r.stations = station_figures(record, flown, r.uavs);
-  r.warnings = warnings(r, record.log);
+  r.warnings = warnings(r, record);
   r.violations = record.violations;
   r.log = {.messages = record.log.size(), .digest = digest(record.log)};
   r.timing = record.timing;

@@ -1,5 +1,8 @@
 #include "app/results/warnings.hpp"
 
+#include "mission/place.hpp"
+#include "scheduler/steep_ways.hpp"
+
 #include <fmt/format.h>
 
 namespace furrow::app {
@@ -21,13 +24,27 @@ void add_strayed(const Result& result, std::vector<std::string>& all) {
                   result.fleet.outside_at_work_m));
 }
 
+void add_steep(const MissionRecord& record, std::vector<std::string>& all) {
+  const auto add = [&](const scheduler::Steep& steep, const char* ways, const char* height) {
+    if (!(steep.length_m > 0.5)) return;
+    all.push_back(fmt::format(
+        "{:.0f} m of {} are steeper than aircraft climb or descend at their least speed; {} is "
+        "not kept there, first at {}",
+        steep.length_m, ways, height, mission::place(*steep.first, record.scenario.datum)));
+  };
+  const scheduler::SteepWays steep = scheduler::steep_ways(record.plan);
+  add(steep.rows, "rows", "the spray height");
+  add(steep.between, "ways between rows, way points and stations", "their height");
+}
+
 }  // namespace
 
-std::vector<std::string> warnings(const Result& result, const std::vector<Envelope>& log) {
+std::vector<std::string> warnings(const Result& result, const MissionRecord& record) {
   std::vector<std::string> all;
   add_uncovered(result, all);
   add_strayed(result, all);
-  for (const Envelope& envelope : log) {
+  add_steep(record, all);
+  for (const Envelope& envelope : record.log) {
     const auto* const event = std::get_if<Event>(&envelope.body);
     if (event == nullptr || event->kind != "land_left") continue;
     all.push_back(fmt::format("at {:.1f} s: {}", seconds(envelope.sent).base(), event->detail));

@@ -50,6 +50,28 @@ TEST_CASE("summary: a plan's figures are its forecasts", "[app]") {
   CHECK(r.batteries[1].used == 0.114);
 }
 
+TEST_CASE("summary: rows and ways that are too steep for the heights to be kept are a warning",
+          "[app]") {
+  // A hill of 2 m in the middle of the strips: much steeper than 0.1 m/s climbs at full speed.
+  MissionRecord record = small_plan();
+  const planner::AnalyticTerrain hill{.base = {},
+                                      .peaks = {{at_m(3, 4), metres(2), metres(2), metres(2)}}};
+  const auto warnings_at = [&](Speed vertical, double slowest) {
+    const planner::HeightRule rule{.climb = vertical, .descent = vertical, .slowest = slowest};
+    const planner::Relief relief{{.ground = hill, .rule = rule, .keep_out = {}},
+                                 {at_m(-10, -10), at_m(20, 20)}};
+    record.plan.route.ferries = small_plan().plan.route.ferries.over_ground(relief);
+    return summary(record).warnings;
+  };
+  const auto steep = warnings_at(metres_per_second(0.1), 1);
+  REQUIRE(steep.size() == 2);
+  CHECK_THAT(steep[0], Catch::Contains(" m of rows are steeper than aircraft climb or descend at "
+                                       "their least speed; the spray height is not kept there, "
+                                       "first at ("));
+  CHECK_THAT(steep[1], Catch::Contains(" m of ways between rows, way points and stations are "));
+  CHECK(warnings_at(metres_per_second(5), 0.25).empty());
+}
+
 TEST_CASE("summary: what was flown counts by closed grants, once each", "[app]") {
   const Result r = summary(small_flight());
 
