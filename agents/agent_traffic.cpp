@@ -65,7 +65,8 @@ void AgentNode::wait_for_way(Instant begins) {
   if (slot_.is_refused() || (slot_.is_asked() && slot_.claim().departure == Departure::in_motion)) {
     slot_.drop();
   }
-  if (phase_ == Phase::fly_back && !reaches_home(way_home_slack_s)) {
+  constexpr double bends_s = 3.0;  // the time home is reckoned without
+  if (phase_ == Phase::fly_back && !reaches_home(way_home_slack_s + bends_s)) {
     note("flies_unasked", "has no pack left to wait for the way home to be clear");
     ask_for_way(way, Departure::begun, begins);
     return open_way();

@@ -7,9 +7,13 @@
 #include "planner/fleet/solve.hpp"
 #include "planner/fleet/till_empty.hpp"
 #include "planner/returns/evaluate.hpp"
+#include "scheduler/even_out.hpp"
+#include "scheduler/flight_losses.hpp"
+#include "scheduler/turns_at_near_work.hpp"
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 
 namespace furrow::scheduler {
 namespace {
@@ -182,7 +186,6 @@ std::uint32_t stop_of(const planner::Route& route, const fleet::FleetProblem& mo
   return stop;
 }
 
-constexpr std::size_t runs = 5, hot_runs = 3;  // the others are cool
 constexpr int attempts = 2;
 
 /// Sorties that a search may fly.
@@ -190,14 +193,21 @@ std::uint64_t budget_of(const planner::SolveSettings& settings, double sorties_p
   return static_cast<std::uint64_t>(settings.budget_s * sorties_per_s) + 1;
 }
 
-/// The same for cool searches: more where a plan has very many sorties.
-std::uint64_t cool_budget_of(const planner::SolveSettings& settings,
-                             const fleet::FleetProblem& model) {
-  constexpr double sorties_per_s = 400'000, many = 200.0;
+/// How many searches there are, and how much each may fly.
+struct Effort {
+  std::size_t runs, hot_runs;  ///< Those that are not hot are cool.
+  std::uint64_t hot_budget, cool_budget;
+};
+
+/// Plans of very many sorties settle in cool searches alone, with the more for each.
+Effort effort_of(const planner::SolveSettings& settings, const fleet::FleetProblem& model) {
+  constexpr double cool_per_s = 200'000, few = 25.0, many = 200.0;
   double tank_m = 0.0;
   for (const fleet::Flier& f : model.fliers) tank_m = std::max(tank_m, f.tank_m);
-  const double more = std::max(1.0, model.path.length_m() / (many * tank_m));
-  return budget_of(settings, sorties_per_s * more);
+  const double tanks = model.path.length_m() / tank_m;
+  const std::uint64_t cool = budget_of(settings, cool_per_s * std::max(1.0, tanks / few));
+  if (tanks > many) return {.runs = 2, .hot_runs = 0, .hot_budget = 0, .cool_budget = cool};
+  return {.runs = 5, .hot_runs = 3, .hot_budget = budget_of(settings) / 3, .cool_budget = cool};
 }
 
 std::optional<fleet::FleetSorties> by_gravity(const fleet::FleetProblem& model,
@@ -215,74 +225,54 @@ std::optional<fleet::FleetSorties> by_gravity(const fleet::FleetProblem& model,
 
 std::optional<fleet::FleetSolution> annealed(const fleet::FleetProblem& model,
                                              const planner::SolveSettings& settings,
-                                             const fleet::FleetSorties& start, std::size_t run) {
-  const bool is_cool = run >= hot_runs;
-  fleet::FleetSolveSettings search{
-      .budget = is_cool ? cool_budget_of(settings, model) / (runs - hot_runs)
-                        : budget_of(settings) / hot_runs,
-      .seed = seed_for(settings.seed, {run}),
-      .runs = 1,
-      .is_cool = is_cool};
+                                             const Effort& effort, std::size_t run,
+                                             const fleet::FleetSorties& start) {
+  const bool is_cool = run >= effort.hot_runs;
+  fleet::FleetSolveSettings search{.budget = is_cool ? effort.cool_budget : effort.hot_budget,
+                                   .seed = seed_for(settings.seed, {run}),
+                                   .runs = 1,
+                                   .is_cool = is_cool};
   if (!start.empty()) search.starts.push_back(start);
   return fleet::solved(model, search);
-}
-
-/// A line through the losses of flights, by the ways between strips that each has.
-ModelMargins losses(const FlownLists& flown) {
-  double n = 0.0, hops = 0.0, squares = 0.0, lost_s = 0.0, products = 0.0;
-  for (std::size_t u = 0; u < flown.uavs.size(); ++u) {
-    const UavPlan& uav = flown.uavs[u];
-    const Itinerary& it = flown.itineraries[u];
-    const auto strip_at = [&](std::uint32_t i) {
-      return static_cast<double>(planner::strip_of(flown.order.route, uav.cells.first + i));
-    };
-    for (std::size_t k = 0; k < uav.solution.plan.sorties.size(); ++k) {
-      const planner::PlannedSortie& s = uav.solution.plan.sorties[k];
-      const double flight_s =
-          k < it.flights_s.size() ? it.flights_s[k] : it.last_spray_s + it.last_home_s;
-      const double lost = flight_s - s.fly_out_s - s.spray_s - s.fly_back_s;
-      const double between = strip_at(s.last) - strip_at(k == 0 ? 0 : s.first + 1);
-      n += 1.0;
-      hops += between;
-      squares += between * between;
-      lost_s += lost;
-      products += between * lost;
-    }
-  }
-  if (n == 0.0) return {};
-  const double spread = n * squares - hops * hops;
-  const double by_hop_s =
-      spread > 0.5 ? std::max(0.0, (n * products - hops * lost_s) / spread) : 0.0;
-  return {.hop_loss_s = by_hop_s, .sortie_loss_s = std::max(0.0, (lost_s - by_hop_s * hops) / n)};
 }
 
 /// Flies what the search and its starts say, and keeps the best.
 class Judge {
  public:
   Judge(const planner::Route& route, const RouteLengths& lengths, std::span<const Vehicle> vehicles,
-        std::span<const Station> stations, std::span<const double> ready_s, std::size_t threads)
+        std::span<const Station> stations, std::span<const double> ready_s, Length near,
+        std::size_t threads)
       : route_{route},
         lengths_{lengths},
         vehicles_{vehicles},
         stations_{stations},
         ready_s_{ready_s},
+        near_{near},
         threads_{threads} {}
 
   /// @return  The makespan, if tanks and packs carry the sorties and all are down in time.
   std::optional<double> consider(const fleet::FleetProblem& model,
                                  const std::optional<fleet::FleetSorties>& sorties) {
     if (!sorties) return std::nullopt;
-    auto flown = flown_lists(route_, lengths_, vehicles_, stations_,
-                             cell_sorties(route_, model, *sorties), ready_s_);
+    return consider(cell_sorties(route_, model, *sorties));
+  }
+  std::optional<double> consider(SortieLists lists) {
+    auto flown = flown_lists(route_, lengths_, vehicles_, stations_, lists, ready_s_);
     if (!flown || !is_in_time(vehicles_, flown->forecast)) return std::nullopt;
     const double makespan_s = flown->forecast.makespan_s;
-    keep(std::move(*flown));
+    if (const auto loss = loss_of(*flown); !best_ || loss < best_loss_) {
+      best_loss_ = loss;
+      best_ = std::move(flown);
+      best_lists_ = std::move(lists);
+    }
     return makespan_s;
   }
-  /// Where all are down in time.
-  void keep(FlownLists flown) {
-    if (!is_in_time(vehicles_, flown.forecast)) return;
-    if (!best_ || worth(flown.forecast) < worth(best_->forecast)) best_ = std::move(flown);
+  /// The best so far, its aircraft done more nearly together.
+  void even_out(const planner::SolveSettings& settings) {
+    constexpr double moves_per_s = 300;
+    if (!best_) return;
+    const auto most = static_cast<std::uint64_t>(settings.budget_s * moves_per_s);
+    consider(evened_out(route_, lengths_, vehicles_, stations_, best_lists_, ready_s_, most));
   }
   /// @return  Whether tanks and packs carry anything of what a search finds.
   bool consider_searched(const fleet::FleetProblem& model, const planner::SolveSettings& settings,
@@ -291,8 +281,11 @@ class Judge {
       return consider(model, by_gravity(model, settings, evaluations_)).has_value();
     }
     bool is_carried = false;
-    const auto anneal = [&](std::size_t run) { return annealed(model, settings, start, run); };
-    for (const auto& found : planner::at_once(runs, anneal, threads_)) {
+    const Effort effort = effort_of(settings, model);
+    const auto anneal = [&](std::size_t run) {
+      return annealed(model, settings, effort, run, start);
+    };
+    for (const auto& found : planner::at_once(effort.runs, anneal, threads_)) {
       if (!found) continue;
       evaluations_ += found->evaluations;
       is_carried |= consider(model, found->sorties).has_value();
@@ -308,8 +301,18 @@ class Judge {
   std::span<const Vehicle> vehicles_;
   std::span<const Station> stations_;
   std::span<const double> ready_s_;
+  Length near_;
   std::size_t threads_;
+  /// What a plan is worth, waits at near work told in the makespan.
+  std::tuple<double, double> loss_of(const FlownLists& flown) const {
+    auto loss = worth(flown.forecast);
+    if (near_ > Length{}) std::get<0>(loss) += waits_at_near_work_s(flown, route_, near_);
+    return loss;
+  }
+
   std::optional<FlownLists> best_{};
+  std::tuple<double, double> best_loss_{};
+  SortieLists best_lists_{};
   std::uint64_t evaluations_ = 0;
 };
 
@@ -401,17 +404,17 @@ std::optional<JointPlan> joint_plan(const planner::Route& route, const RouteLeng
                                     std::span<const Station> stations,
                                     const planner::SolveSettings& settings,
                                     const SortieLists& start, std::span<const double> ready_s,
-                                    std::size_t threads) {
+                                    Length near, std::size_t threads) {
   JointPlan plan{.flown = {}, .evaluations = 0, .till_empty_s = {}, .simple_s = {}};
-  Judge judge{route, lengths, vehicles, stations, ready_s, threads};
+  Judge judge{route, lengths, vehicles, stations, ready_s, near, threads};
   ModelMargins margins;
   const bool is_begun =
       std::any_of(start.begin(), start.end(), [](const auto& list) { return !list.empty(); });
   if (is_begun) {
-    if (auto begun = flown_lists(route, lengths, vehicles, stations, start, ready_s)) {
-      margins = losses(*begun);
-      judge.keep(std::move(*begun));
+    if (const auto begun = flown_lists(route, lengths, vehicles, stations, start, ready_s)) {
+      margins.losses = flight_losses(*begun);
     }
+    judge.consider(start);
   }
   for (int attempt = 0; attempt < attempts; ++attempt) {
     auto model = search_model(route, vehicles, stations, margins);
@@ -424,6 +427,7 @@ std::optional<JointPlan> joint_plan(const planner::Route& route, const RouteLeng
     margins.spare_cells += 2.0;
     margins.early_s += 20.0;
   }
+  judge.even_out(settings);
   plan.evaluations = judge.evaluations();
   if (!judge.best()) return std::nullopt;
   plan.flown = std::move(*judge.best());

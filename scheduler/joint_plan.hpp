@@ -76,6 +76,8 @@ struct JointPlan {
 /// The work is set by the settings' budget, not by time.
 ///
 /// @param start    May leave out everything: then it begins without.
+/// @param near     Of what is found, less is thought where aircraft wait for each other at strips
+///                 nearer than this (see `waits_at_near_work_s`); 0: they do not.
 /// @param threads  Searches that run at a time, at most; 0: all. The plan is the same for any.
 /// @return  Nothing where no such plan is carried by tanks and packs with all down in time, or on
 /// surveys.
@@ -84,6 +86,6 @@ std::optional<JointPlan> joint_plan(const planner::Route& route, const RouteLeng
                                     std::span<const Station> stations,
                                     const planner::SolveSettings& settings,
                                     const SortieLists& start, std::span<const double> ready_s = {},
-                                    std::size_t threads = 0);
+                                    Length near = {}, std::size_t threads = 0);
 
 }  // namespace furrow::scheduler

@@ -41,12 +41,6 @@ fleet::Depot depot(const Station& s) {
           .fill_s = (s.fill_full - s.fill_base).base()};
 }
 
-double mean_ferry_mps(std::span<const Vehicle> vehicles) {
-  double sum_mps = 0.0;
-  for (const Vehicle& v : vehicles) sum_mps += v.ferry_speed.base();
-  return sum_mps / static_cast<double>(vehicles.size());
-}
-
 /// A flier as bounds may take it.
 fleet::Flier fastest_flier(const Vehicle& v) {
   fleet::Flier f = flier(v);
@@ -154,16 +148,15 @@ std::optional<fleet::FleetProblem> search_model(const planner::Route& route,
   constexpr double least_cells = 4.0;
   const double cell_m = route.cell.base();
   if (planner::is_survey(route)) return std::nullopt;
-  const double loss_m = margins.hop_loss_s * mean_ferry_mps(vehicles);
   std::vector<fleet::StraightStrip> strips;
   strips.reserve(route.strips.size());
   for (const planner::Strip& s : route.strips) {
     fleet::StraightStrip strip = from_rim_to_rim(s, route.cell);
     if (!strips.empty() && !s.continues) {
       const planner::Strip& before = route.strips[strips.size() - 1];
-      strip.hop_m = planner::approach_length(before, s).base() + loss_m;
+      strip.hop_m = planner::approach_length(before, s).base();
     } else {
-      strip.hop_m = loss_m;
+      strip.hop_m = 0.0;
     }
     strips.push_back(strip);
   }
@@ -173,7 +166,11 @@ std::optional<fleet::FleetProblem> search_model(const planner::Route& route,
     fleet::Flier f = flier(v);
     f.tank_m -= margins.spare_cells * cell_m;
     f.pack_s *= margins.pack_share;
-    f.sortie_s = margins.sortie_loss_s;
+    if (!margins.losses.empty()) {
+      const FlightLoss& loss = margins.losses[p.fliers.size()];
+      f.sortie_s = loss.flight_s;
+      f.hop_s = loss.hop_s;
+    }
     if (const auto until = planned_until(v)) f.until_s = until->base() - margins.early_s;
     if (f.tank_m <= least_cells * cell_m) return std::nullopt;
     p.fliers.push_back(f);

@@ -10,16 +10,22 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace furrow::scheduler {
 
+/// What accelerating and turning add to a flight.
+struct FlightLoss {
+  double flight_s = 0.0;  ///< Once, >= 0.
+  double hop_s = 0.0;     ///< For each way between two strips, >= 0.
+};
+
 /// What a model leaves to what it does not know.
 struct ModelMargins {
-  double hop_loss_s = 0.0;     ///< A way between two strips takes longer by this, >= 0.
-  double sortie_loss_s = 0.0;  ///< A flight takes longer by this besides, >= 0.
-  double pack_share = 1.0;     ///< Of a pack, planned with; > 0.
-  double spare_cells = 0.0;    ///< Of every tank, >= 0.
-  double early_s = 0.0;        ///< Down so long before plans have to be, >= 0.
+  std::vector<FlightLoss> losses{};  ///< By aircraft; none when left out.
+  double pack_share = 1.0;           ///< Of a pack, planned with; > 0.
+  double spare_cells = 0.0;          ///< Of every tank, >= 0.
+  double early_s = 0.0;              ///< Down so long before plans have to be, >= 0.
 };
 
 /// The route for a search. Cells become stretches of their strip, of equal length; what is sprayed

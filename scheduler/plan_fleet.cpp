@@ -89,6 +89,11 @@ Expected<Solved, PlanError> solved(const FleetProblem& problem, const Sketch& s,
   std::vector<FleetTask> all = tasks(problem, s, shares);
   planner::SolveSettings settings = problem.solver;
   settings.budget_s = budget_s;
+  // Of many aircraft the joint search finds far better than shares: it needs but a start.
+  constexpr std::size_t many = 50;
+  if (settings.returns == planner::ReturnStrategy::joint && problem.vehicles.size() > many) {
+    settings.returns = planner::ReturnStrategy::simple;
+  }
   auto returns = fleet_returns(all, problem.stations, settings);
   if (!returns) return Unexpected{returns.error()};
   return Solved{std::move(shares), std::move(all), std::move(*returns)};
@@ -154,11 +159,13 @@ std::optional<JointPlan> jointly(const FleetProblem& problem, const Sketch& s,
   if (!has_choice || !planner::is_by_gravity(problem.solver.returns) || problem.survey) {
     return std::nullopt;
   }
+  const Length near = problem.separation
+                          ? near_work(*problem.separation, problem.vehicles.front().swath)
+                          : Length{};
   auto joint =
       joint_plan(s.coverage.route, s.lengths, problem.vehicles, problem.stations, problem.solver,
-                 found ? lists_of(s, *found) : SortieLists(problem.vehicles.size()));
-  if (joint && problem.separation) {
-    const Length near = near_work(*problem.separation, problem.vehicles.front().swath);
+                 found ? lists_of(s, *found) : SortieLists(problem.vehicles.size()), {}, near);
+  if (joint && near > Length{}) {
     joint->flown = turned_at_near_work(std::move(joint->flown), s.coverage.route, s.lengths,
                                        problem.vehicles, problem.stations, near);
   }

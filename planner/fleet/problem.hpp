@@ -16,6 +16,7 @@ struct Flier {
   double spray_mps, ferry_mps;
   double service_s = 0.0;  ///< In the bay, beyond what the station takes.
   double sortie_s = 0.0;   ///< Lost in every flight; bounds leave it out.
+  double hop_s = 0.0;      ///< Lost besides at every hop of one; bounds leave it out.
   double ready_s = 0.0;    ///< When it can take off first.
   /// Down for good by then. Of the bounds `kinds_bound_s` alone knows of either.
   double until_s = std::numeric_limits<double>::infinity();

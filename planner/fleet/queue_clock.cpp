@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <limits>
+#include <numeric>
 #include <tuple>
 
 namespace furrow::planner::fleet {
@@ -31,7 +32,8 @@ double flight_s(const FleetProblem& problem, const Sortie& s, FieldPoint from) {
       std::min(problem.most_home_m, problem.path.back_m(problem.depots[s.depot].position, s.to_m));
   const double ferried_m =
       problem.path.out_m(from, s.from_m) + problem.path.hops_m(s.from_m, s.to_m) + home_m;
-  return flier.sortie_s + (s.to_m - s.from_m) / flier.spray_mps + ferried_m / flier.ferry_mps;
+  const double lost_s = flier.sortie_s + flier.hop_s * problem.path.hops(s.from_m, s.to_m);
+  return lost_s + (s.to_m - s.from_m) / flier.spray_mps + ferried_m / flier.ferry_mps;
 }
 
 double service_s(const FleetProblem& problem, std::uint32_t depot, const Sortie& next) {
@@ -50,16 +52,60 @@ QueueClock::QueueClock(const FleetProblem& problem) : problem_{problem}, timed_(
   for (const Depot& d : problem.depots) free_s_.emplace_back(d.bays);
 }
 
-void QueueClock::link(std::span<const Sortie> sorties) {
-  first_.assign(problem_.fliers.size(), none);
-  next_.assign(sorties.size(), none);
-  for (std::size_t i = sorties.size(); i-- > 0;) {
-    next_[i] = first_[sorties[i].flier];
-    first_[sorties[i].flier] = static_cast<std::uint32_t>(i);
+void QueueClock::arrange(std::span<const Sortie> sorties) {
+  const std::size_t fliers = problem_.fliers.size();
+  now_.first.assign(fliers + 1, 0);
+  for (const Sortie& s : sorties) ++now_.first[s.flier + 1];
+  std::partial_sum(now_.first.begin(), now_.first.end(), now_.first.begin());
+  now_.sorties.resize(sorties.size());
+  number_.resize(sorties.size());
+  place_.assign(now_.first.begin(), now_.first.end() - 1);
+  for (std::size_t i = 0; i < sorties.size(); ++i) {
+    const std::uint32_t place = place_[sorties[i].flier]++;
+    now_.sorties[place] = sorties[i];
+    number_[place] = static_cast<std::uint32_t>(i);
   }
   leaves_s_.resize(sorties.size());
   lands_s_.resize(sorties.size());
-  for (auto& bays : free_s_) bays.assign(bays.size(), 0.0);
+}
+
+// The flier is to be flown, and so are all who meet it in a bay now.
+void QueueClock::take(std::size_t flier) {
+  is_taken_[flier] = 1;
+  for (const Flown* plan : {&now_, &kept_}) {
+    const auto sorties = plan->of(flier);
+    for (std::size_t k = 0; k + 1 < sorties.size(); ++k) is_busy_[sorties[k].depot] = 1;
+  }
+}
+
+bool QueueClock::meets_taken(std::size_t flier) const {
+  const auto sorties = now_.of(flier);
+  return sorties.size() > 1 && std::any_of(sorties.begin(), sorties.end() - 1,
+                                           [&](const Sortie& s) { return is_busy_[s.depot] != 0; });
+}
+
+// Who flies otherwise than in the plan kept, or meets such aircraft in a bay.
+void QueueClock::choose() {
+  const std::size_t fliers = problem_.fliers.size();
+  const bool is_alone = kept_.first.empty() || problem_.depots.size() == 1;
+  is_taken_.assign(fliers, is_alone ? 1 : 0);
+  is_busy_.assign(problem_.depots.size(), is_alone ? 1 : 0);
+  if (is_alone) return;
+  const auto is_same = [](const Sortie& a, const Sortie& b) {
+    return a.from_m == b.from_m && a.to_m == b.to_m && a.depot == b.depot;
+  };
+  for (std::size_t u = 0; u < fliers; ++u) {
+    const auto now = now_.of(u), kept = kept_.of(u);
+    if (!std::equal(now.begin(), now.end(), kept.begin(), kept.end(), is_same)) take(u);
+  }
+  for (bool grows = true; grows;) {
+    grows = false;
+    for (std::size_t u = 0; u < fliers; ++u) {
+      if (is_taken_[u] != 0 || !meets_taken(u)) continue;
+      take(u);
+      grows = true;
+    }
+  }
 }
 
 /// @param from_depot  None: from the flier's start.
@@ -82,61 +128,91 @@ double QueueClock::served_s(const Sortie& landed, const Sortie& next, double arr
   return bay;
 }
 
-void QueueClock::end(const Arrival& last, const Sortie& landed, Finish& finish) const {
-  const Flier& flier = problem_.fliers[last.flier];
-  const FieldPoint depot = problem_.depots[landed.depot].position;
-  const double home_s =
-      problem_.ends_sprayed ? problem_.path.back_m(depot, landed.to_m) / flier.ferry_mps : 0.0;
-  finish.makespan_s = std::max(finish.makespan_s, last.at_s - home_s);
-  finish.total_s += last.at_s;
-  finish.late_s += std::max(0.0, last.at_s - flier.until_s);
+QueueClock::Ended QueueClock::ended(const Sortie& last, const Ended& so_far, double lands_s) const {
+  const FieldPoint depot = problem_.depots[last.depot].position;
+  const double home_s = problem_.ends_sprayed ? problem_.path.back_m(depot, last.to_m) /
+                                                    problem_.fliers[last.flier].ferry_mps
+                                              : 0.0;
+  return {lands_s, lands_s - home_s, so_far.wait_s, so_far.is_carried};
 }
 
-Finish QueueClock::finish(std::span<const Sortie> sorties) {
-  link(sorties);
-  const auto later = [](const Arrival& a, const Arrival& b) {
-    return a.at_s != b.at_s ? a.at_s > b.at_s : a.flier > b.flier;
-  };
-  Finish finish{};
-  const auto fly = [&](std::uint32_t i, std::uint32_t from_depot, double at_s) {
-    const Sortie& s = sorties[i];
-    const Flier& flier = problem_.fliers[s.flier];
-    const double flight_s = timed_s(s, from_depot);
-    finish.is_carried &= s.to_m - s.from_m <= flier.tank_m + slack;
-    finish.is_carried &= flight_s <= flier.pack_s + slack;
-    leaves_s_[i] = at_s;
-    lands_s_[i] = at_s + flight_s;
-    arrivals_.push_back({lands_s_[i], sorties[i].flier, i});
-    std::push_heap(arrivals_.begin(), arrivals_.end(), later);
-  };
-  arrivals_.clear();
-  for (std::size_t u = 0; u < first_.size(); ++u) {
-    if (first_[u] != none) fly(first_[u], none, problem_.fliers[u].ready_s);
+void QueueClock::fly(std::uint32_t i, std::uint32_t from_depot, double at_s) {
+  const Sortie& s = now_.sorties[i];
+  const Flier& flier = problem_.fliers[s.flier];
+  const double flight_s = timed_s(s, from_depot);
+  Ended& ended = now_.ended[s.flier];
+  ended.is_carried &= s.to_m - s.from_m <= flier.tank_m + slack;
+  ended.is_carried &= flight_s <= flier.pack_s + slack;
+  leaves_s_[i] = at_s;
+  lands_s_[i] = at_s + flight_s;
+  ++flown_count_;
+  arrivals_.push_back({lands_s_[i], s.flier, i});
+  std::push_heap(arrivals_.begin(), arrivals_.end(), is_later);
+}
+
+void QueueClock::land(const Arrival& now) {
+  const Sortie& landed = now_.sorties[now.sortie];
+  Ended& ended = now_.ended[now.flier];
+  if (now.sortie + 1 == now_.first[now.flier + 1]) {
+    ended = this->ended(landed, ended, now.at_s);
+    return;
   }
-  while (!arrivals_.empty()) {
-    const Arrival now = arrivals_.front();
-    std::pop_heap(arrivals_.begin(), arrivals_.end(), later);
-    arrivals_.pop_back();
-    const Sortie& landed = sorties[now.sortie];
-    if (next_[now.sortie] == none) {
-      end(now, landed, finish);
-      continue;
-    }
-    const Sortie& next = sorties[next_[now.sortie]];
-    const double leaves_s = served_s(landed, next, now.at_s);
-    finish.wait_s += leaves_s - service_s(problem_, landed.depot, next) - now.at_s;
-    fly(next_[now.sortie], landed.depot, leaves_s);
+  const Sortie& next = now_.sorties[now.sortie + 1];
+  const double leaves_s = served_s(landed, next, now.at_s);
+  ended.wait_s += leaves_s - service_s(problem_, landed.depot, next) - now.at_s;
+  fly(now.sortie + 1, landed.depot, leaves_s);
+}
+
+Finish QueueClock::sum() const {
+  Finish finish{};
+  for (std::size_t u = 0; u < problem_.fliers.size(); ++u) {
+    const Ended& ended = now_.ended[u];
+    finish.makespan_s = std::max(finish.makespan_s, ended.ends_s);
+    finish.total_s += ended.lands_s;
+    finish.wait_s += ended.wait_s;
+    finish.late_s += std::max(0.0, ended.lands_s - problem_.fliers[u].until_s);
+    finish.is_carried &= ended.is_carried;
   }
   return finish;
 }
 
+Finish QueueClock::finish(std::span<const Sortie> sorties) {
+  arrange(sorties);
+  choose();
+  for (std::size_t d = 0; d < free_s_.size(); ++d) {
+    if (is_busy_[d] != 0) free_s_[d].assign(free_s_[d].size(), 0.0);
+  }
+  flown_count_ = 0;
+  arrivals_.clear();
+  now_.ended.resize(problem_.fliers.size());
+  for (std::size_t u = 0; u < problem_.fliers.size(); ++u) {
+    now_.ended[u] = is_taken_[u] != 0 ? Ended{} : kept_.ended[u];
+    if (is_taken_[u] == 0 || now_.of(u).empty()) continue;
+    fly(now_.first[u], none, problem_.fliers[u].ready_s);
+  }
+  while (!arrivals_.empty()) {
+    const Arrival now = arrivals_.front();
+    std::pop_heap(arrivals_.begin(), arrivals_.end(), is_later);
+    arrivals_.pop_back();
+    land(now);
+  }
+  return sum();
+}
+
+void QueueClock::keep() { std::swap(now_, kept_); }
+
 Timetable QueueClock::timetable(std::span<const Sortie> sorties) {
+  kept_ = {};
   const Finish end = finish(sorties);
   double spray_s = 0.0;
-  for (const Sortie& s : sorties)
-    spray_s += (s.to_m - s.from_m) / problem_.fliers[s.flier].spray_mps;
-  return {.leaves_s = leaves_s_,
-          .lands_s = lands_s_,
+  std::vector<double> leaves_s(sorties.size()), lands_s(sorties.size());
+  for (std::size_t i = 0; i < sorties.size(); ++i) {
+    spray_s += (sorties[i].to_m - sorties[i].from_m) / problem_.fliers[sorties[i].flier].spray_mps;
+    leaves_s[number_[i]] = leaves_s_[i];
+    lands_s[number_[i]] = lands_s_[i];
+  }
+  return {.leaves_s = std::move(leaves_s),
+          .lands_s = std::move(lands_s),
           .makespan_s = end.makespan_s,
           .non_spray_s = end.total_s - spray_s,
           .wait_s = end.wait_s};

@@ -48,6 +48,8 @@ class Annealer {
     Judged best = start;
     CutPlan now{problem_, start.sorties};
     double now_s = energy_s(start.finish);
+    clock_.finish(now.sorties());
+    clock_.keep();
     const double cold_s = 1e-4 * start.finish.makespan_s;
     const double hot_s =
         std::max(cold_s, heat(start.sorties.size(), settings_, budget) * start.finish.makespan_s);
@@ -62,6 +64,7 @@ class Annealer {
       const double heat_s = hot_s * std::pow(cold_s / hot_s, part);
       const double next_s = energy_s(finish);
       if (next_s > now_s && random_.uniform() >= std::exp((now_s - next_s) / heat_s)) continue;
+      clock_.keep();
       now = std::move(next);
       now_s = next_s;
       if (is_better(finish, best.finish)) best = {now.sorties(), finish};

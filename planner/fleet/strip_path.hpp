@@ -45,6 +45,11 @@ class StripPath {
     return hops_m_[strip_to(to_m)] - hops_m_[strip_from(from_m)];
   }
 
+  /// Number of those hops.
+  std::uint32_t hops(double from_m, double to_m) const {
+    return strip_to(to_m) - strip_from(from_m);
+  }
+
   /// What lies between two positions, `from_m` < `to_m`, as a path of its own.
   StripPath part(double from_m, double to_m) const;
 

@@ -181,7 +181,7 @@ TEST_CASE("joint plan: the same for one thread, two, and more than there are sea
   const auto fleet = small_fleet(3);
   const auto found = [&](std::size_t threads) {
     auto plan = joint_plan(route, lengths, fleet, stations,
-                           settings(planner::ReturnStrategy::joint), {}, {}, threads);
+                           settings(planner::ReturnStrategy::joint), {}, {}, {}, threads);
     REQUIRE(plan);
     return *plan;
   };

@@ -1,0 +1,72 @@
+#include "planner/fleet/queue_clock.hpp"
+#include "planner/fleet/cut_plan.hpp"
+#include "planner/fleet/till_empty.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace furrow::planner::fleet {
+namespace {
+
+/// Sixty rows of 100 m with a station each ten of them and three aircraft at each station.
+FleetProblem six_stations(Random& random) {
+  std::vector<StraightStrip> strips;
+  for (int row = 0; row < 60; ++row) {
+    const double y_m = 10.0 * row;
+    strips.push_back({at_m(0, y_m), at_m(100, y_m)});
+    if (row % 2 == 1) std::swap(strips.back().begin, strips.back().end);
+  }
+  FleetProblem p{StripPath{strips}, {}, {}};
+  for (int d = 0; d < 6; ++d) {
+    const FieldPoint at = at_m(-10, 100.0 * d + 50);
+    p.depots.push_back({at, 1 + static_cast<std::uint32_t>(d % 2), 20, 10});
+    for (int i = 0; i < 3; ++i) {
+      p.fliers.push_back({.tank_m = random.uniform(100, 200),
+                          .spray_mps = 5,
+                          .ferry_mps = 8,
+                          .until_s = i == 0 ? 300 : std::numeric_limits<double>::infinity(),
+                          .start = at});
+    }
+  }
+  return p;
+}
+
+bool is_same(const Finish& a, const Finish& b) {
+  return a.makespan_s == b.makespan_s && a.total_s == b.total_s && a.wait_s == b.wait_s &&
+         a.late_s == b.late_s && a.is_carried == b.is_carried;
+}
+
+TEST_CASE("a plan compared with one kept is flown as if alone, by fewer flights") {
+  Random random{1};
+  const FleetProblem p = six_stations(random);
+  CutPlan kept{p, *till_empty(p)};
+  QueueClock clock{p};
+  clock.finish(kept.sorties());
+  clock.keep();
+  std::size_t flown = 0, all = 0;
+  for (int i = 0; i < 3000; ++i) {
+    CutPlan next = kept;
+    if (!next.change(random)) continue;
+    REQUIRE(is_same(clock.finish(next.sorties()), QueueClock{p}.finish(next.sorties())));
+    flown += clock.flown();
+    all += next.sorties().size();
+    if (random.below(3) != 0) continue;
+    clock.keep();
+    kept = std::move(next);
+  }
+  CHECK(flown < all);
+}
+
+TEST_CASE("a plan that is the one kept needs no flight") {
+  Random random{2};
+  const FleetProblem p = six_stations(random);
+  const FleetSorties plan = *till_empty(p);
+  QueueClock clock{p};
+  const Finish first = clock.finish(plan);
+  CHECK(clock.flown() == plan.size());
+  clock.keep();
+  CHECK(is_same(clock.finish(plan), first));
+  CHECK(clock.flown() == 0);
+}
+
+}  // namespace
+}  // namespace furrow::planner::fleet
