@@ -194,7 +194,7 @@ int conduct(const Options& options, Mode mode, const Fly& fly) {
   if (fly && !record.partial) {
     auto flight = [&] {
       Progress progress{record.plan, !options.quiet && isatty(STDERR_FILENO) == 1};
-      return fly(record.scenario, record.plan, progress);
+      return fly(record.scenario, record.plan, planned_s - started_s, progress);
     }();
     if (!flight) {
       tell(flight.error());

@@ -35,11 +35,12 @@ struct Flight {
   std::vector<std::string> mishaps;  ///< Sentences for the operator: processes that died, ...
 };
 
-/// Flies a plan. What fails on the way ends the flight as broken off, with a mishap that says why.
+/// Flies a plan that took `planned_s` to make. What fails on the way ends the flight as broken off,
+/// with a mishap that says why.
 ///
 /// @error  A sentence about the environment; nothing has been flown then.
-using Fly = std::function<Expected<Flight, std::string>(const mission::Scenario&,
-                                                        const scheduler::FleetPlan&, Progress&)>;
+using Fly = std::function<Expected<Flight, std::string>(
+    const mission::Scenario&, const scheduler::FleetPlan&, double planned_s, Progress&)>;
 
 /// Where the results go.
 std::string results_folder(const Options& options, const mission::Scenario& scenario);

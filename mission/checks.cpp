@@ -171,18 +171,20 @@ void check_surprises(const Draft& draft) {
   const auto& avoidance = planner::avoidance_of(s.coverage);
   for (std::size_t i = 0; i < draft.surprises.size(); ++i) {
     const SurpriseEntry& entry = draft.surprises[i];
-    const auto fail = [&](const std::string& key, const char* rule) {
-      entry.at.fail(key, rule, entry.value);
-    };
     if (!avoidance) {
-      fail(entry.sight_key, "needs field.coverage.avoidance: how aircraft keep away from it");
+      entry.at.fail(entry.sight_key,
+                    "needs field.coverage.avoidance: how aircraft keep away from it", entry.value);
       continue;
     }
     check_sight(entry, s.surprises[i], draft, avoidance->safety);
     const Length kept = s.surprises[i].obstacle.radius + avoidance->safety + metres(1);
     for (const Station& station : s.stations) {
-      if (distance(station.position, s.surprises[i].obstacle.center) > kept) continue;
-      fail(entry.place_key, "must leave every station free by the safety distance and 1 m");
+      const Length away = distance(station.position, s.surprises[i].obstacle.center);
+      if (away > kept) continue;
+      entry.at.fail(
+          entry.place_key, "must leave every station free by the safety distance and 1 m",
+          fmt::format("station {} is {:.10g} m from the obstacle's axis, {:.10g} m are kept",
+                      number(station.id), away.base(), kept.base()));
     }
   }
 }

@@ -59,12 +59,18 @@ transport::DirectorSettings director_settings(const Options& options,
   return settings;
 }
 
+// The scheduler makes its plan before it comes, beside all the others that start.
+std::chrono::milliseconds time_to_plan_again(double planned_s) {
+  constexpr double slower = 5;
+  return std::chrono::milliseconds{static_cast<std::int64_t>(1e3 * slower * planned_s)};
+}
+
 }  // namespace
 
 int run(const Options& options) {
   catch_interrupts();
   const auto fly = [&](const mission::Scenario& scenario, const scheduler::FleetPlan&,
-                       Progress& progress) -> Expected<Flight, std::string> {
+                       double planned_s, Progress& progress) -> Expected<Flight, std::string> {
     const auto domain = transport::DomainLock::any_free(options.interface);
     if (!domain) return Unexpected{domain.error().what};
     const transport::Network network{
@@ -80,6 +86,7 @@ int run(const Options& options) {
       fmt::print(stderr, "Start on the other host: {}\n", command);
     }
     settings.members = processes->members();
+    settings.start_timeout += time_to_plan_again(planned_s);
     std::optional<OperatorDesk> desk;
     open_desk(desk, options, scenario);
     settings.observer = [&](const Envelope& envelope) {

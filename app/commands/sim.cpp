@@ -6,7 +6,8 @@ namespace furrow::app {
 namespace {
 
 Expected<Flight, std::string> simulated(const mission::Scenario& scenario,
-                                        const scheduler::FleetPlan& plan, Progress& progress) {
+                                        const scheduler::FleetPlan& plan, double,
+                                        Progress& progress) {
   NodeHost host = mission::whole_fleet(scenario, plan);
   const auto watch = [&](const std::vector<Envelope>& sent) {
     for (const Envelope& envelope : sent) progress.observe(envelope);

@@ -24,6 +24,15 @@ void add_strayed(const Result& result, std::vector<std::string>& all) {
                   result.fleet.outside_at_work_m));
 }
 
+void add_unturned(const MissionRecord& record, std::vector<std::string>& all) {
+  const auto& avoidance = record.plan.sweep ? record.plan.sweep->avoidance : std::nullopt;
+  if (!avoidance || avoidance->unturned == 0) return;
+  all.push_back(
+      fmt::format("{} of {} turns between rows have no room for curves of the least turn "
+                  "radius; they are made on the spot",
+                  avoidance->unturned, avoidance->unturned + avoidance->turns));
+}
+
 void add_steep(const MissionRecord& record, std::vector<std::string>& all) {
   const auto add = [&](const scheduler::Steep& steep, const char* ways, const char* height) {
     if (!(steep.length_m > 0.5)) return;
@@ -43,6 +52,7 @@ std::vector<std::string> warnings(const Result& result, const MissionRecord& rec
   std::vector<std::string> all;
   add_uncovered(result, all);
   add_strayed(result, all);
+  add_unturned(record, all);
   add_steep(record, all);
   for (const Envelope& envelope : record.log) {
     const auto* const event = std::get_if<Event>(&envelope.body);

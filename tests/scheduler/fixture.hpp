@@ -2,6 +2,7 @@
 // Small routes, aircraft and fleet plans for tests of the scheduler.
 
 #include "scheduler/fleet_plan.hpp"
+#include "scheduler/fleet_problem.hpp"
 
 #include <cstdint>
 #include <utility>
@@ -67,6 +68,27 @@ inline UavPlan uav_plan(const planner::Route& route, std::uint32_t id, CellRange
   }
   uav.solution.plan.returns = std::move(returns);
   return uav;
+}
+
+/// A field with its south-west corner at the origin, a station there and alike aircraft.
+inline FleetProblem problem(double width_m, double length_m, std::uint32_t uavs) {
+  FleetProblem p{.field = {.boundary = {at_m(0, 0), at_m(width_m, 0), at_m(width_m, length_m),
+                                        at_m(0, length_m)},
+                           .holes = {},
+                           .obstacles = {}},
+                 .coverage = {},
+                 .work_direction_deg = 0.0,
+                 .stations = {station(1)},
+                 .vehicles = {},
+                 .solver = {.returns = planner::ReturnStrategy::gsa,
+                            .refine = true,
+                            .paper_counting = false,
+                            .iterations = 20,
+                            .masses = 10,
+                            .budget_s = 1,
+                            .seed = 1}};
+  for (std::uint32_t i = 1; i <= uavs; ++i) p.vehicles.push_back(vehicle(i));
+  return p;
 }
 
 }  // namespace furrow::scheduler
