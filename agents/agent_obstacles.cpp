@@ -56,7 +56,7 @@ void AgentNode::reroute(Instant t) {
   for (const PieceOnPath& p : route_->pieces) pieces.push_back(p.piece);
   SortieRoute next = lay(laid_from_m_, pieces, metres(laid_altitude_m_));
   const bool is_same =
-      next.path.length_m() == route_->path.length_m() && next.blocked_m == route_->blocked_m;
+      next.path.segments() == route_->path.segments() && next.blocked_m == route_->blocked_m;
   if (is_same) return;
   if (aircraft_.leads_on(next.path)) return swerve(std::move(next));
   stop_short(t);

@@ -11,6 +11,7 @@ namespace furrow::agents {
 struct Xy {
   double x = 0.0, y = 0.0;
 
+  friend constexpr bool operator==(Xy a, Xy b) = default;
   friend constexpr Xy operator+(Xy a, Xy b) { return {a.x + b.x, a.y + b.y}; }
   friend constexpr Xy operator-(Xy a, Xy b) { return {a.x - b.x, a.y - b.y}; }
   friend constexpr Xy operator*(double k, Xy a) { return {k * a.x, k * a.y}; }

@@ -26,6 +26,7 @@ struct Segment {
 
   double end_m() const { return start_m + length_m; }
   bool is_straight() const { return curvature_per_m == 0.0; }
+  friend bool operator==(const Segment&, const Segment&) = default;
 };
 
 class Path {

@@ -30,10 +30,16 @@ std::optional<Tangent> tangent(const Wheel& a, const Wheel& b) {
   return Tangent{std::atan2(way.y, way.x) - std::atan2(across_m, along_m), along_m};
 }
 
-// How far the string turns along a wheel, negative where it would lift off.
-double sweep_rad(const Wheel& wheel, double in_rad, double out_rad) {
-  const double turn = wrapped_rad(wheel.sense * (out_rad - in_rad));
-  return turn < -std::numbers::pi / 2 ? turn + 2 * std::numbers::pi : turn;
+// How far the string turns along wheel i, negative where it would lift off. Around one circle it
+// may wind by three quarters of a turn; along several it lifts off by up to nearly half a turn, at
+// a corner of a house that it came to too early.
+double sweep_rad(const std::vector<Wheel>& wheels, std::size_t i, double in_rad, double out_rad) {
+  const double sense = wheels[i].sense;
+  const bool is_one_of_several = (i > 0 && wheels[i - 1].sense == sense) ||
+                                 (i + 1 < wheels.size() && wheels[i + 1].sense == sense);
+  const double most_lift_rad = (is_one_of_several ? 0.9 : 0.5) * std::numbers::pi;
+  const double turn = wrapped_rad(sense * (out_rad - in_rad));
+  return turn < -most_lift_rad ? turn + 2 * std::numbers::pi : turn;
 }
 
 // The wheel, not one of the ends, that must go before the string can be tight: one inside its
@@ -59,7 +65,7 @@ Step next_step(const std::vector<Wheel>& wheels) {
   Step worst;
   double least = -1e-9;
   for (std::size_t i = 1; i + 1 < wheels.size(); ++i) {
-    const double sweep = sweep_rad(wheels[i], headings[i], headings[i + 1]);
+    const double sweep = sweep_rad(wheels, i, headings[i], headings[i + 1]);
     if (sweep < least) {
       least = sweep;
       worst.drop = i;
@@ -74,7 +80,7 @@ CurveM pulled(const std::vector<Wheel>& wheels, double from_m) {
   for (std::size_t i = 0; i < wheels.size(); ++i) {
     const bool is_last = i + 1 == wheels.size();
     const Tangent line = is_last ? Tangent{0, 0} : *tangent(wheels[i], wheels[i + 1]);
-    const double turn = std::max(0.0, sweep_rad(wheels[i], heading, line.heading_rad));
+    const double turn = std::max(0.0, sweep_rad(wheels, i, heading, line.heading_rad));
     curve.bends.push_back({wheels[i].sense / wheels[i].radius_m, turn * wheels[i].radius_m});
     if (line.length_m > rounding_m) curve.bends.push_back({0, line.length_m});
     heading = line.heading_rad;
