@@ -129,7 +129,7 @@ bool AgentNode::may_take_off(Instant now) {
 
 void AgentNode::ask_to_take_off(const SortieRoute& route, Instant now) {
   const Instant at = on_grid(std::max(ready_, now + lead_), control_period);
-  const Pace pace{route.path, planned_acceleration_mps2(vehicle_)};
+  const Pace pace{planned_acceleration_mps2(vehicle_)};
   const Way& way = route.ways.front();
   send(slot_.ask({.agent = vehicle_.id,
                   .boot = settings_.boot,

@@ -91,15 +91,8 @@ std::optional<Stretch> low_part(const TimedPlace& a, const TimedPlace& b, double
 
 planner::PointM plane(FieldPoint p) { return {p.x.base(), p.y.base()}; }
 
-// Cheap, and false for nearly all.
-bool may_be_near(const WorkSite& a, const WorkSite& b, Length near) {
-  const auto apart = [](Length a_from, Length a_to, Length b_from, Length b_to) {
-    const auto [a_low, a_high] = std::minmax(a_from, a_to);
-    const auto [b_low, b_high] = std::minmax(b_from, b_to);
-    return std::max(b_low - a_high, a_low - b_high);
-  };
-  return apart(a.from.x, a.to.x, b.from.x, b.to.x) < near &&
-         apart(a.from.y, a.to.y, b.from.y, b.to.y) < near;
+planner::BoxM box(const WorkSite& site) {
+  return planner::box_of(plane(site.from), plane(site.to));
 }
 
 }  // namespace
@@ -175,8 +168,9 @@ void Airspace::add_near(const WorkSite& own, const std::vector<WorkSite>& others
     return site.leaves == never ? never
                                 : site.leaves + duration(late_share * seconds(site.leaves - now));
   };
+  const planner::BoxM reach = planner::grown(box(own), near.base());
   for (const WorkSite& other : others) {
-    const bool is_near = other.agent != own.agent && may_be_near(own, other, near) &&
+    const bool is_near = other.agent != own.agent && planner::overlap(reach, box(other)) &&
                          planner::apart_m(plane(own.from), plane(own.to), plane(other.from),
                                           plane(other.to)) < near.base();
     if (is_near) found.push_back({own.enters, latest(own), other.enters, latest(other)});

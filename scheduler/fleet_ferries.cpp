@@ -80,7 +80,7 @@ std::optional<PlanError> way_point_fault(const planner::KeepOut& volume, Length 
   return std::nullopt;
 }
 
-std::optional<PlanError> ceiling_fault(const planner::Relief& relief) {
+std::optional<PlanError> low_ceiling(const planner::Relief& relief) {
   const auto ceiling = relief.rule().ceiling;
   if (!ceiling || relief.highest_ferry_m() <= ceiling->base()) return std::nullopt;
   return PlanError{PlanFault::ceiling_too_low,
@@ -120,7 +120,7 @@ Expected<planner::FerryMap, PlanError> ferry_map(const FleetProblem& problem) {
   }
   // Ferries that are searched lead around what is too high; those of the plan are judged by it.
   if (!problem.terrain->ferries) {
-    if (auto fault = ceiling_fault(relief)) return Unexpected{std::move(*fault)};
+    if (auto fault = low_ceiling(relief)) return Unexpected{std::move(*fault)};
   }
   auto map = planner::FerryMap::over(field, rule, stands);
   if (!map) return map;

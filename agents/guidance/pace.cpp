@@ -11,7 +11,7 @@ constexpr double arrived_m = 0.005;
 
 }  // namespace
 
-Pace::Pace(const Path&, double acceleration_mps2) : limit_{acceleration_mps2} {}
+Pace::Pace(double acceleration_mps2) : limit_{acceleration_mps2} {}
 
 double Pace::braking_m() const { return speed_ * (0.5 * speed_ / limit_ + control_period_s); }
 
@@ -53,7 +53,6 @@ void Pace::advance(const Path& path, double stop_m, double eagerness) {
     speed_ = next_speed(path, std::min(stop_m, path.length_m()), eagerness);
     along_ += 0.5 * control_period_s * (before + speed_);
   }
-  change_ = (speed_ - before) / control_period_s;
   while (segment_ + 1 < segments.size() && segments[segment_].end_m() < along_) ++segment_;
 }
 

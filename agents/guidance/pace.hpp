@@ -14,8 +14,8 @@ inline constexpr double no_stop = std::numeric_limits<double>::infinity();
 /// ahead allow, one control period at a time.
 class Pace {
  public:
-  /// At rest at the beginning of a finished path.
-  Pace(const Path& path, double acceleration_mps2);
+  /// At rest at the beginning of a path.
+  explicit Pace(double acceleration_mps2);
 
   /// One period on, to come to rest no further than `stop_m`.
   /// @param eagerness  Share of the speed limit to use, 0 .. 1: less when the aircraft lags.
@@ -23,7 +23,6 @@ class Pace {
 
   double along_m() const { return along_; }
   double speed_mps() const { return speed_; }
-  double acceleration_mps2() const { return change_; }
   std::size_t segment() const { return segment_; }
   bool is_at_rest() const { return speed_ == 0.0; }
 
@@ -35,7 +34,7 @@ class Pace {
   double braking_to(double rest_m, double exit_mps) const;
 
   double limit_;  // of acceleration
-  double along_ = 0.0, speed_ = 0.0, change_ = 0.0;
+  double along_ = 0.0, speed_ = 0.0;
   std::size_t segment_ = 0;
 };
 

@@ -9,16 +9,6 @@ namespace {
 
 constexpr double shortest_leg_m = 1e-6;
 
-// Time over a length when speed may rise and fall at `a` but not pass `limit`.
-double flown_s(double length_m, double entry_mps, double exit_mps, double limit_mps, double a) {
-  const double top = std::sqrt(a * length_m + 0.5 * (entry_mps * entry_mps + exit_mps * exit_mps));
-  const double peak = std::max({std::min(top, limit_mps), entry_mps, exit_mps});
-  const double ramps_m =
-      (2.0 * peak * peak - entry_mps * entry_mps - exit_mps * exit_mps) / (2.0 * a);
-  const double ramps_s = (2.0 * peak - entry_mps - exit_mps) / a;
-  return ramps_s + std::max(0.0, length_m - ramps_m) / std::max(peak, 1e-9);
-}
-
 }  // namespace
 
 Path::Path(Xy start_m, PathLimits limits) : limits_{limits} {
@@ -121,7 +111,7 @@ double Path::duration_s() const {
     const Segment& s = segments_[i];
     const double planned = i + 1 < segments_.size() ? segments_[i + 1].entry_mps : 0.0;
     const double exit = std::min(planned, std::sqrt(entry * entry + 2.0 * a * s.length_m));
-    if (s.length_m > 0.0) total += flown_s(s.length_m, entry, exit, s.limit_mps, a);
+    total += leg_time_s(s.length_m, s.limit_mps, entry, exit, a);
     entry = exit;
   }
   return total;

@@ -27,11 +27,11 @@ Path resting_at(Xy place) {
 }  // namespace
 
 Pilot::Pilot(double planned_mps2, double limit_mps2)
-    : planned_{planned_mps2}, limit_{limit_mps2}, path_{resting_at({})}, pace_{path_, planned_} {}
+    : planned_{planned_mps2}, limit_{limit_mps2}, path_{resting_at({})}, pace_{planned_} {}
 
 void Pilot::follow(Path path) {
   path_ = std::move(path);
-  pace_ = Pace{path_, planned_};
+  pace_ = Pace{planned_};
   deviation_ = {};
   ahead_ = path_.segments().front().ahead;
 }

@@ -1,27 +1,11 @@
 // A map of what ferries cost: there and back, to each of 10 000 cells, from nothing.
 #include "planner/ferry/ferry_map.hpp"
+#include "tests/planner/ferry/behind_hills.hpp"
 
 #include <benchmark/benchmark.h>
 
 namespace furrow::planner {
 namespace {
-
-const FieldPoint station = at_m(200, -110);
-
-Vehicle aircraft() {
-  return {.id = AgentId{1},
-          .home = station,
-          .swath = metres(4),
-          .spray_speed = metres_per_second(3),
-          .ferry_speed = metres_per_second(6),
-          .spray_endurance = seconds(900),
-          .flight_endurance = seconds(1200),
-          .battery_reserve = 0,
-          .tank = litres(10),
-          .min_turn_radius = {},
-          .acceleration_limit = metres_per_second2(3),
-          .gnss = {}};
-}
 
 AnalyticTerrain ridge() {
   return {.base = {}, .peaks = {{at_m(200, -50), metres(55), metres(70), metres(22)}}};
@@ -46,7 +30,7 @@ void map_of_10000_cells(benchmark::State& state, const AnalyticTerrain& ground,
   const std::vector<FieldPoint> stands{station};
   const auto level = FerryMap::over(field, {.corner_cut = metres(2)}, stands);
   const Relief relief{TerrainModel{.ground = ground}, {at_m(-200, -300), at_m(600, 430)}};
-  const Vehicle v = aircraft();
+  const Vehicle& v = aircraft;
   double sum_s = 0;
   for (auto _ : state) {
     const FerryMap map = level->over_ground(relief, search);

@@ -97,6 +97,15 @@ inline BoxM box_of(const PathM& places) {
   return box;
 }
 
+constexpr BoxM box_of(PointM a, PointM b) {
+  return {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
+}
+
+/// Further out by `by_m` on all sides.
+constexpr BoxM grown(const BoxM& box, double by_m) {
+  return {box.low - PointM{by_m, by_m}, box.high + PointM{by_m, by_m}};
+}
+
 inline bool overlap(const BoxM& a, const BoxM& b) {
   return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
 }

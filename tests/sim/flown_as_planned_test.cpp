@@ -3,6 +3,7 @@
 #include "mission/load.hpp"
 #include "scheduler/plan_fleet.hpp"
 #include "sim/checkers/laws.hpp"
+#include "tests/sim/check_laws.hpp"
 #include "tests/sim/whole_fleet.hpp"
 
 #include <catch2/catch.hpp>
@@ -26,12 +27,18 @@ double makespan_s(const Log& log) {
   return latest_s;
 }
 
+template <class Plan>
+Log flown_to_the_end(const mission::Scenario& scenario, const Plan& plan) {
+  REQUIRE(plan);
+  Log log = flown(scenario, *plan);
+  REQUIRE(log.finished);
+  return log;
+}
+
 /// Flown makespan by planned makespan.
 double flown_to_planned(const mission::Scenario& scenario) {
   const auto plan = scheduler::plan_fleet(mission::fleet_problem(scenario));
-  REQUIRE(plan);
-  const Log log = flown(scenario, *plan);
-  REQUIRE(log.finished);
+  const Log log = flown_to_the_end(scenario, plan);
   return makespan_s(log) / plan->makespan_s;
 }
 
@@ -71,11 +78,9 @@ Facts facts_of(const mission::Scenario& scenario, const scheduler::FleetPlan& pl
 void fly_around_surprises(const char* name, std::size_t trees) {
   const mission::Scenario scene = scenario(name);
   const auto plan = scheduler::plan_fleet(mission::fleet_problem(scene));
-  REQUIRE(plan);
-  const Log log = flown(scene, *plan);
-  REQUIRE(log.finished);
+  const Log log = flown_to_the_end(scene, plan);
   const Facts facts = facts_of(scene, *plan);
-  for (const Violation& v : violations(facts, log.envelopes, log.ended)) FAIL(v.law << v.detail);
+  check_laws(facts, log);
   SchedulerState last{};
   std::size_t sighted = 0;
   std::set<AgentId> told;
@@ -133,12 +138,8 @@ uavs:
   REQUIRE(read);
   const mission::Scenario& scene = *read;
   const auto plan = scheduler::plan_fleet(mission::fleet_problem(scene));
-  REQUIRE(plan);
-  const Log log = flown(scene, *plan);
-  REQUIRE(log.finished);
-  for (const Violation& v : violations(facts_of(scene, *plan), log.envelopes, log.ended)) {
-    FAIL(v.law << v.detail);
-  }
+  const Log log = flown_to_the_end(scene, plan);
+  check_laws(facts_of(scene, *plan), log);
 }
 
 TEST_CASE("flown as planned: nobody is lost who stops short of a wall of trees, one by one",
@@ -153,12 +154,8 @@ TEST_CASE("flown as planned: nobody is lost who stops short of a wall of trees, 
                                .seen_within = metres(25)});
   }
   const auto plan = scheduler::plan_fleet(mission::fleet_problem(scene));
-  REQUIRE(plan);
-  const Log log = flown(scene, *plan);
-  REQUIRE(log.finished);
-  for (const Violation& v : violations(facts_of(scene, *plan), log.envelopes, log.ended)) {
-    FAIL(v.law << v.detail);
-  }
+  const Log log = flown_to_the_end(scene, plan);
+  check_laws(facts_of(scene, *plan), log);
   std::map<NodeId, int> stops;
   SchedulerState last{};
   for (const Envelope& e : log.envelopes) {
@@ -198,9 +195,7 @@ TEST_CASE("flown as planned: a survey over hills around a mast that no map shows
   CHECK(plan->makespan_s == Approx(bare->makespan_s));
   const Log log = flown(scene, *plan);
   REQUIRE(log.finished);
-  for (const Violation& v : violations(facts_of(scene, *plan), log.envelopes, log.ended)) {
-    FAIL(v.law << v.detail);
-  }
+  check_laws(facts_of(scene, *plan), log);
   SchedulerState last{};
   std::size_t sighted = 0;
   double nearest_m = 1e9;
@@ -226,11 +221,9 @@ TEST_CASE("flown as planned: behind a tree that leaves no way the strips are flo
   // so it takes three.
   const mission::Scenario alley = scenario("alley_blocked");
   const auto plan = scheduler::plan_fleet(mission::fleet_problem(alley));
-  REQUIRE(plan);
-  const Log log = flown(alley, *plan);
-  REQUIRE(log.finished);
+  const Log log = flown_to_the_end(alley, plan);
   const Facts facts = facts_of(alley, *plan);
-  for (const Violation& v : violations(facts, log.envelopes, log.ended)) FAIL(v.law << v.detail);
+  check_laws(facts, log);
   SchedulerState last{};
   std::size_t blocked = 0;
   for (const Envelope& e : log.envelopes) {
@@ -263,26 +256,21 @@ TEST_CASE("flown as planned: over terraces of an elevation raster, in time and o
           "[sim]") {
   const mission::Scenario terraces = scenario("terraced");
   const auto plan = scheduler::plan_fleet(mission::fleet_problem(terraces));
-  REQUIRE(plan);
-  const Log log = flown(terraces, *plan);
-  REQUIRE(log.finished);
+  const Log log = flown_to_the_end(terraces, plan);
   CHECK(makespan_s(log) / plan->makespan_s == Approx(1.0).margin(0.02));
   CHECK(used_to_planned(*plan, log) == Approx(1.0).margin(0.02));
-  const auto broken = violations(facts_of(terraces, *plan), log.envelopes, log.ended);
-  for (const Violation& v : broken) FAIL(v.law << ": " << v.detail);
+  check_laws(facts_of(terraces, *plan), log);
 }
 
 TEST_CASE("flown as planned: over hills, in time and of the packs, at heights that are kept",
           "[sim]") {
   const mission::Scenario hills = scenario("hills");
   const auto plan = scheduler::plan_fleet(mission::fleet_problem(hills));
-  REQUIRE(plan);
-  const Log log = flown(hills, *plan);
-  REQUIRE(log.finished);
+  const Log log = flown_to_the_end(hills, plan);
   CHECK(makespan_s(log) / plan->makespan_s == Approx(1.0).margin(0.02));
   CHECK(used_to_planned(*plan, log) == Approx(1.0).margin(0.01));
   const Facts facts = facts_of(hills, *plan);
-  for (const Violation& v : violations(facts, log.envelopes, log.ended)) FAIL(v.law << v.detail);
+  check_laws(facts, log);
 
   // The same flight, had every height been 2 m less, or on ferries of the higher layer 4 m less,
   // though still above the clearance.
@@ -311,13 +299,11 @@ TEST_CASE("flown as planned: below a ceiling past a ridge that is higher", "[sim
   mission::Scenario ridge = scenario("ridge");
   ridge.terrain->rule.ceiling = metres(45);  // the crest is at 55 m
   const auto plan = scheduler::plan_fleet(mission::fleet_problem(ridge));
-  REQUIRE(plan);
-  const Log log = flown(ridge, *plan);
-  REQUIRE(log.finished);
+  const Log log = flown_to_the_end(ridge, plan);
   CHECK(makespan_s(log) / plan->makespan_s == Approx(1.0).margin(0.02));
   CHECK(used_to_planned(*plan, log) == Approx(1.0).margin(0.02));
   const Facts facts = facts_of(ridge, *plan);
-  for (const Violation& v : violations(facts, log.envelopes, log.ended)) FAIL(v.law << v.detail);
+  check_laws(facts, log);
 
   ridge.terrain->ferries.reset();
   CHECK_FALSE(scheduler::plan_fleet(mission::fleet_problem(ridge)));
@@ -353,9 +339,7 @@ TEST_CASE("flown as planned: a survey visits its way points over hills and spray
           "[sim]") {
   const mission::Scenario valley = scenario("survey_valley");
   const auto plan = scheduler::plan_fleet(mission::fleet_problem(valley));
-  REQUIRE(plan);
-  const Log log = flown(valley, *plan);
-  REQUIRE(log.finished);
+  const Log log = flown_to_the_end(valley, plan);
   CHECK(makespan_s(log) / plan->makespan_s == Approx(1.0).margin(0.02));
   CHECK(used_to_planned(*plan, log) == Approx(1.0).margin(0.02));
   std::size_t visits = 0;
@@ -371,8 +355,7 @@ TEST_CASE("flown as planned: a survey visits its way points over hills and spray
   CHECK(visits == valley.survey->way_points.size());
   // Corners are cut by half a swath, 2 m, at most.
   for (const FieldPoint p : valley.survey->way_points) CHECK(passed_within_m(log, p) < 2.1);
-  const auto broken = violations(facts_of(valley, *plan), log.envelopes, log.ended);
-  for (const Violation& v : broken) FAIL(v.law << ": " << v.detail);
+  check_laws(facts_of(valley, *plan), log);
 
   // The same flights, had one aircraft been at the axis of the keep-out volume once.
   auto entered = log.envelopes;

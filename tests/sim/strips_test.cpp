@@ -1,10 +1,6 @@
 // Strips in any direction, sprayed from end to end and joined by way points, flown by all parts.
-#include "agents/agent_node.hpp"
-#include "planner/returns/evaluate.hpp"
-#include "scheduler/scheduler_node.hpp"
-#include "sim/checkers/laws.hpp"
-#include "sim/simulate.hpp"
-#include "supply/supply_node.hpp"
+#include "tests/sim/check_laws.hpp"
+#include "tests/sim/one_station.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -12,7 +8,6 @@
 namespace furrow::sim {
 namespace {
 
-constexpr Link radio{.latency = Duration{50'000'000}, .jitter = {}, .loss = 0, .duplication = 0};
 constexpr AgentId flyer{1};
 constexpr double swath_m = 2.0;
 
@@ -20,27 +15,11 @@ constexpr double swath_m = 2.0;
 const std::vector<FieldPoint> lane{at_m(10, 60), at_m(10, 70), at_m(50, 70), at_m(50, 50)};
 
 Vehicle vehicle() {
-  return {.id = flyer,
-          .home = at_m(0, 0),
-          .swath = metres(swath_m),
-          .spray_speed = metres_per_second(3),
-          .ferry_speed = metres_per_second(6),
-          .spray_endurance = seconds(60),
-          .flight_endurance = seconds(400),
-          .battery_reserve = 0.1,
-          .tank = litres(10),
-          .min_turn_radius = metres(0),
-          .acceleration_limit = metres_per_second2(3),
-          .gnss = {}};
-}
-
-Station station() {
-  return {.id = StationId{1},
-          .position = at_m(0, 0),
-          .bays = 1,
-          .battery_swap = seconds(60),
-          .fill_base = seconds(20),
-          .fill_full = seconds(60)};
+  Vehicle small = sim::vehicle(flyer);
+  small.swath = metres(swath_m);
+  small.spray_endurance = seconds(60);
+  small.flight_endurance = seconds(400);
+  return small;
 }
 
 // North, then (by the lane) south-east at 3:4, then west; lengths 50, 50 and 41.3 m.
@@ -58,18 +37,7 @@ planner::Route route() {
 scheduler::FleetPlan plan() {
   scheduler::FleetPlan p{
       .route = route(), .work_direction_deg = 0, .uavs = {}, .makespan_s = 0, .lower_bound_s = 0};
-  const auto cells = static_cast<std::uint32_t>(p.route.centers.size());
-  const auto problem = planner::return_problem(p.route, {0, cells}, vehicle(), station());
-  scheduler::UavPlan uav{.vehicle = vehicle(),
-                         .station = station(),
-                         .strips = {0, 3},
-                         .cells = {0, cells},
-                         .solution = {},
-                         .visits = {},
-                         .spray_ends_s = 0,
-                         .lands_s = 0};
-  uav.solution.plan = planner::evaluated(problem, {11, end(p.route.strips[1].cells) - 1});
-  p.uavs.push_back(std::move(uav));
+  p.uavs = {uav_plan(p.route, vehicle(), {0, 3}, {11, end(p.route.strips[1].cells) - 1})};
   return p;
 }
 
@@ -83,27 +51,6 @@ Facts facts() {
           .whole = true};
 }
 
-Log flown() {
-  NodeHost host{radio, 1};
-  host.add(scheduler_node(),
-           AnyNode{scheduler::SchedulerNode{{.plan = plan(),
-                                             .epoch = Epoch{1},
-                                             .agent_lease = Duration{5'000'000'000},
-                                             .mission_limit = Duration{3'600'000'000'000}}}},
-           Instant{});
-  host.add(node(StationId{1}),
-           AnyNode{supply::SupplyNode{{.station = station(), .tanks = {{flyer, litres(10)}}}}},
-           Instant{});
-  host.add(node(flyer),
-           AnyNode{agents::AgentNode{{.vehicle = vehicle(),
-                                      .stations = {station()},
-                                      .wind = {},
-                                      .seed = 1,
-                                      .boot = BootId{1}}}},
-           Instant{});
-  return simulate(host, radio.latency, Instant{Duration{3'600'000'000'000}});
-}
-
 double to_way_m(FieldPoint p, FieldPoint a, FieldPoint b) {
   const double dx = (b - a).x.base(), dy = (b - a).y.base();
   const double px = (p - a).x.base(), py = (p - a).y.base();
@@ -112,11 +59,9 @@ double to_way_m(FieldPoint p, FieldPoint a, FieldPoint b) {
 }
 
 TEST_CASE("strips: a plan on strips of any direction is flown whole and within the laws", "[sim]") {
-  const Log log = flown();
+  const Log log = flown(plan());
   REQUIRE(log.finished);
-  for (const Violation& v : violations(facts(), log.envelopes, log.ended)) {
-    FAIL_CHECK(v.law << ": " << v.detail);
-  }
+  check_laws(facts(), log);
   const auto cells = static_cast<std::uint32_t>(route().centers.size());
   std::vector<int> passed(cells);
   std::vector<SortieReport> sorties;
@@ -148,7 +93,7 @@ TEST_CASE("strips: a plan on strips of any direction is flown whole and within t
 
 TEST_CASE("strips: a narrowed strip is sprayed as wide as it is planned, others whole", "[sim]") {
   int narrow = 0, whole = 0;
-  for (const Envelope& e : flown().envelopes) {
+  for (const Envelope& e : flown(plan()).envelopes) {
     const auto* record = std::get_if<FlightRecord>(&e.body);
     if (record == nullptr) continue;
     for (const TrackPoint& p : record->track) {
@@ -168,7 +113,7 @@ TEST_CASE("strips: a narrowed strip is sprayed as wide as it is planned, others 
 TEST_CASE("strips: connections are flown along their way points, corners cut by half a swath",
           "[sim]") {
   std::vector<TrackPoint> track;
-  for (const Envelope& e : flown().envelopes) {
+  for (const Envelope& e : flown(plan()).envelopes) {
     const auto* record = std::get_if<FlightRecord>(&e.body);
     if (record) track.insert(track.end(), record->track.begin(), record->track.end());
   }

@@ -42,7 +42,7 @@ TEST_CASE("coming_track: heights are climbed to no faster than the rule says", "
   HeightProfile heights;
   heights.mark(0.0, 9.0);
   const Path path = bent_path();
-  const auto track = coming_track({Pace{path, 2.85}, 0.0, mission_start}, path, heights, {}, 40.0);
+  const auto track = coming_track({Pace{2.85}, 0.0, mission_start}, path, heights, {}, 40.0);
   const auto climbed = std::find_if(track.begin(), track.end(),
                                     [](const TimedPlace& p) { return p.altitude_m > 8.9; });
   REQUIRE(climbed != track.end());

@@ -1,29 +1,16 @@
 #include "planner/ferry/hill_ways.hpp"
 
 #include "core/random.hpp"
+#include "tests/planner/ferry/behind_hills.hpp"
 
 #include <catch2/catch.hpp>
 
 namespace furrow::planner {
 namespace {
 
-const FieldPoint station = at_m(200, -110);
 const Field beyond{.boundary = {at_m(0, 0), at_m(400, 0), at_m(400, 96), at_m(0, 96)},
                    .holes = {},
                    .obstacles = {}};
-
-const Vehicle aircraft{.id = AgentId{1},
-                       .home = station,
-                       .swath = metres(4),
-                       .spray_speed = metres_per_second(3),
-                       .ferry_speed = metres_per_second(6),
-                       .spray_endurance = seconds(900),
-                       .flight_endurance = seconds(1200),
-                       .battery_reserve = 0,
-                       .tank = litres(10),
-                       .min_turn_radius = {},
-                       .acceleration_limit = metres_per_second2(3),
-                       .gnss = {}};
 
 // A ridge of that height between station and field, down to a fifth 90 m to either side.
 FerryMap map(double height_m, const std::optional<RouteSettings>& search,
