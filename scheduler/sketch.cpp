@@ -1,9 +1,11 @@
 #include "scheduler/sketch.hpp"
 
+#include "planner/at_once.hpp"
 #include "scheduler/fleet_ferries.hpp"
 
 #include <fmt/format.h>
 #include <string>
+#include <variant>
 
 namespace furrow::scheduler {
 namespace {
@@ -32,9 +34,11 @@ void lead_around_holes(planner::Route& route, const std::vector<std::size_t>& le
   }
 }
 
+using Covered = Expected<planner::Coverage, PlanError>;
+using Ferries = Expected<planner::FerryMap, PlanError>;
+
 Expected<Sketch, PlanError> sketch(const FleetProblem& problem, const planner::FerryMap& ferries,
-                                   const planner::CoverageModel& model) {
-  auto coverage = planner::cover(problem.field, problem.vehicles.front().swath, model);
+                                   Covered coverage) {
   if (!coverage) return Unexpected{coverage.error()};
   if (auto fault = cut_off_strip(coverage->route, ferries)) return Unexpected{std::move(*fault)};
   coverage->route.ferries = ferries;
@@ -111,13 +115,19 @@ Expected<Sketch, PlanError> survey_sketch(const FleetProblem& problem,
 }  // namespace
 
 Expected<Sketch, PlanError> best_sketch(const FleetProblem& problem) {
-  const auto ferries = ferry_map(problem);
+  const auto models = problem.survey ? std::vector<planner::CoverageModel>{} : candidates(problem);
+  // Ferries first, then what each model covers: none of these knows of another.
+  auto made =
+      planner::at_once(1 + models.size(), [&](std::size_t i) -> std::variant<Ferries, Covered> {
+        if (i == 0) return ferry_map(problem);
+        return planner::cover(problem.field, problem.vehicles.front().swath, models[i - 1]);
+      });
+  const Ferries& ferries = std::get<Ferries>(made.front());
   if (!ferries) return Unexpected{ferries.error()};
   if (problem.survey) return survey_sketch(problem, *ferries);
-  const std::vector<planner::CoverageModel> models = candidates(problem);
-  auto best = sketch(problem, *ferries, models.front());
-  for (std::size_t i = 1; i < models.size(); ++i) {
-    auto other = sketch(problem, *ferries, models[i]);
+  auto best = sketch(problem, *ferries, std::get<Covered>(std::move(made[1])));
+  for (std::size_t i = 2; i < made.size(); ++i) {
+    auto other = sketch(problem, *ferries, std::get<Covered>(std::move(made[i])));
     if (!other) continue;
     const bool is_better =
         !best || other->draft.forecast.makespan_s < best->draft.forecast.makespan_s;

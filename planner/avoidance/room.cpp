@@ -11,10 +11,7 @@ constexpr double rounding_m = 1e-6;
 bool is_within(const RingM& ring, PointM p) {
   bool inside = false;
   for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
-    const PointM a = ring[i], b = ring[j];
-    if ((a.y > p.y) != (b.y > p.y) && p.x < (b.x - a.x) * (p.y - a.y) / (b.y - a.y) + a.x) {
-      inside = !inside;
-    }
+    inside ^= is_left_of(p, ring[i], ring[j]);
   }
   return inside;
 }

@@ -101,6 +101,55 @@ class Session {
 // now and then loses a row. A thousand of these steps are a tenth of a millimetre.
 constexpr double overlay_grid_m = 1e-7;
 
+std::vector<BoxM> boxes_of(const LandParts& parts) {
+  std::vector<BoxM> boxes;
+  boxes.reserve(parts.size());
+  for (const LandPart& part : parts) boxes.push_back(box_of(part.outer));
+  return boxes;
+}
+
+bool meets_any(const BoxM& box, const std::vector<BoxM>& others) {
+  return std::any_of(others.begin(), others.end(),
+                     [&](const BoxM& other) { return overlap(box, other); });
+}
+
+// Whether part `i` of `taken` is near no other part and near no edge of `land`. It lies whole
+// inside or whole outside then, and taking it away is no matter for GEOS, whose time is by the
+// corner.
+bool is_lone(std::size_t i, const LandParts& taken, const std::vector<BoxM>& of_taken,
+             const LandParts& land) {
+  if (!taken[i].holes.empty()) return false;
+  const BoxM box = grown(of_taken[i], 1e3 * overlay_grid_m);
+  for (std::size_t j = 0; j < taken.size(); ++j) {
+    if (j != i && overlap(box, of_taken[j])) return false;
+  }
+  bool is_near = false;
+  for (const LandPart& part : land) {
+    each_edge(part, [&](PointM a, PointM b) { is_near = is_near || overlap(box, box_of(a, b)); });
+  }
+  return !is_near;
+}
+
+// Makes `ring`, which no edge of `land` is near, a hole of the part it lies in, if any.
+void add_hole(LandParts& land, const RingM& ring) {
+  for (LandPart& part : land) {
+    bool is_within = false;
+    each_edge(part, [&](PointM a, PointM b) { is_within ^= is_left_of(ring.front(), a, b); });
+    if (!is_within) continue;
+    part.holes.emplace_back(ring.rbegin(), ring.rend());
+    return;
+  }
+}
+
+LandParts difference(const LandParts& land, const LandParts& taken) {
+  if (taken.empty()) return land;
+  const Session geos;
+  const auto a = geos.polygons(land);
+  const auto b = geos.polygons(taken);
+  return geos.parts_of(
+      geos.owned(GEOSDifferencePrec_r(geos.context(), a.get(), b.get(), overlay_grid_m)).get());
+}
+
 }  // namespace
 
 std::optional<Defect> defect_in(const LandPart& part) {
@@ -142,23 +191,19 @@ LandParts united(const LandParts& parts) {
 }
 
 LandParts subtracted(const LandParts& land, const LandParts& taken) {
-  std::vector<BoxM> of_taken;
-  of_taken.reserve(taken.size());
-  for (const LandPart& part : taken) of_taken.push_back(box_of(part.outer));
+  const auto of_taken = boxes_of(taken);
   LandParts touched, made;
   for (const LandPart& part : land) {
-    const BoxM own = box_of(part.outer);
-    const bool meets = std::any_of(of_taken.begin(), of_taken.end(),
-                                   [&](const BoxM& other) { return overlap(own, other); });
-    (meets ? touched : made).push_back(part);
+    (meets_any(box_of(part.outer), of_taken) ? touched : made).push_back(part);
   }
   if (touched.empty()) return made;
-  const Session geos;
-  const auto a = geos.polygons(touched);
-  const auto b = geos.polygons(taken);
-  const auto left =
-      geos.owned(GEOSDifferencePrec_r(geos.context(), a.get(), b.get(), overlay_grid_m));
-  for (LandPart& part : geos.parts_of(left.get())) made.push_back(std::move(part));
+  LandParts lone, rest;
+  for (std::size_t i = 0; i < taken.size(); ++i) {
+    (is_lone(i, taken, of_taken, touched) ? lone : rest).push_back(taken[i]);
+  }
+  touched = difference(touched, rest);
+  for (const LandPart& part : lone) add_hole(touched, part.outer);
+  std::move(touched.begin(), touched.end(), std::back_inserter(made));
   return made;
 }
 

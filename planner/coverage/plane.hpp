@@ -110,6 +110,12 @@ inline bool overlap(const BoxM& a, const BoxM& b) {
   return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
 }
 
+/// Whether the way from `p` along +x crosses the edge from `a` to `b`. A place is within the rings
+/// that it crosses an odd number of times.
+constexpr bool is_left_of(PointM p, PointM a, PointM b) {
+  return (a.y > p.y) != (b.y > p.y) && p.x < (b.x - a.x) * (p.y - a.y) / (b.y - a.y) + a.x;
+}
+
 /// All of it shifted.
 inline LandParts moved(LandParts parts, PointM by) {
   for (LandPart& part : parts) {
