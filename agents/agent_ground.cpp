@@ -9,9 +9,6 @@
 namespace furrow::agents {
 namespace {
 
-// A forecast has to hold against what the flight watches for: braking, turning, gusts.
-constexpr double forecast_factor = 1.005;
-constexpr double forecast_slack_s = 6.0;
 constexpr double nothing_to_fill = 1e-9;
 
 // What a tank that cannot be filled must still hold for one more sortie.
@@ -135,7 +132,7 @@ AgentNode::Demand AgentNode::demand() const {
 
   const double tank = aircraft_.stores.tank_share;
   const double share = std::min(1.0, route.spray_m / tank_range(vehicle_).base());
-  double time_s = forecast_factor * route.path.duration_s() + forecast_slack_s;
+  double time_s = wanted_pack_s(route.path.duration_s());
   if (const planner::Relief* relief = settings_.ferries.relief()) {
     time_s += relief->rule().climb_energy_s_per_m * route.heights.climb_m();
   }
@@ -196,7 +193,7 @@ bool AgentNode::go_elsewhere(Instant t) {
   if (other == nullptr) return false;
   const double there_s =
       straight_way_s(ferry_pack_m(here, other->position, vehicle_, settings_.ferries), vehicle_);
-  if (there_s + forecast_slack_s > aircraft_.stores.flight_left_s(vehicle_)) return false;
+  if (wanted_pack_s(there_s) > aircraft_.stores.flight_left_s(vehicle_)) return false;
   report_sortie();
   home_ = *other;
   note("goes_elsewhere", "goes to station " + std::to_string(number(other->id)));
@@ -261,7 +258,7 @@ void AgentNode::try_take_off(Instant now) {
   const double there_and_back_s =
       straight_way_s(ferry_pack_m(here, entry, vehicle_, settings_.ferries), vehicle_) +
       straight_way_s(ferry_pack_m(entry, home_.position, vehicle_, settings_.ferries), vehicle_);
-  if (there_and_back_s + forecast_slack_s > aircraft_.stores.flight_left_s(vehicle_)) {
+  if (wanted_pack_s(there_and_back_s) > aircraft_.stores.flight_left_s(vehicle_)) {
     const std::string cell = "cell " + std::to_string(order_->next_cell());
     return give_up(CloseReason::battery_low,
                    lack_.empty() ? cell + " is out of reach of one pack" : lack_, t);

@@ -58,4 +58,8 @@ constexpr Seconds usable_endurance(const Vehicle& v) {
   return (1.0 - v.battery_reserve) * v.flight_endurance;
 }
 
+/// Flying time that a pack has to be good for, reserve kept, before a flight that is foreseen to
+/// take `flight_s` seconds is begun on it: gusts and corrections take some besides.
+constexpr double wanted_pack_s(double flight_s) { return 1.005 * flight_s + 6.0; }
+
 }  // namespace furrow

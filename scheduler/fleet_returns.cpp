@@ -21,9 +21,10 @@ using planner::Solution;
 constexpr std::uint32_t rounds = 2;
 constexpr std::size_t abreast = 16;  // threads at once
 
-Itinerary itinerary_of(const FleetTask& task, const ReturnPlan& plan) {
+Itinerary itinerary_of(const FleetTask& task, ReturnPlan plan) {
   if (!task.times) return grounded(task.agent);
   Itinerary it = itinerary(task.agent, task.station, plan, *task.times);
+  swap_as_flown(std::vector<const ReturnProblem*>(plan.sorties.size(), &*task.problem), plan, it);
   it.begins_s = task.problem->vehicle.available_from.base();
   return it;
 }

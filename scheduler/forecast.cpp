@@ -1,6 +1,7 @@
 #include "scheduler/forecast.hpp"
 
 #include "core/require.hpp"
+#include "planner/returns/evaluate.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -132,6 +133,23 @@ Itinerary itinerary(AgentId agent, std::span<const std::uint32_t> landings,
     }
   }
   return it;
+}
+
+void swap_as_flown(std::span<const planner::ReturnProblem* const> landings,
+                   planner::ReturnPlan& plan, Itinerary& itinerary) {
+  if (landings.front()->hills) return;
+  std::vector<double> lost_s;
+  for (std::size_t n = 0; n < plan.sorties.size(); ++n) {
+    const planner::PlannedSortie& s = plan.sorties[n];
+    const bool is_last = n == itinerary.flights_s.size();
+    const double flown_s =
+        is_last ? itinerary.last_spray_s + itinerary.last_home_s : itinerary.flights_s[n];
+    lost_s.push_back(flown_s - (s.fly_out_s + s.spray_s + s.fly_back_s));
+  }
+  plan = planner::evaluated_as_flown(landings, plan.returns, lost_s);
+  for (std::size_t n = 0; n < itinerary.services_s.size(); ++n) {
+    itinerary.services_s[n] = plan.sorties[n].service_s;
+  }
 }
 
 bool is_in_time(const Vehicle& vehicle, double lands_s) {

@@ -33,6 +33,12 @@ Itinerary itinerary(AgentId agent, std::uint32_t station, const planner::ReturnP
 Itinerary itinerary(AgentId agent, std::span<const std::uint32_t> landings,
                     const planner::ReturnPlan& plan, const FlightTimes& times);
 
+/// Swaps packs as flights take them that accelerate, brake and turn, which the problems leave out
+/// on level land: of the plan and, as far as bays are held longer, of its itinerary.
+/// @param landings  By sortie: the problem of the one share at the station where it ends.
+void swap_as_flown(std::span<const planner::ReturnProblem* const> landings,
+                   planner::ReturnPlan& plan, Itinerary& itinerary);
+
 /// Of an aircraft without a share.
 Itinerary grounded(AgentId agent);
 

@@ -156,9 +156,10 @@ std::optional<UavPlan> Desk::plan(const Vehicle& vehicle, const std::vector<Cell
   if (problems.size() == 1) uav.landings.clear();
   uav.solution.plan = planner::evaluated(ends, share.returns);
   if (!planner::is_feasible(*ends.front(), uav.solution.plan)) return std::nullopt;
-  uav.solution.objective_s = uav.solution.plan.non_spray_s;
   const FlightTimes times{flown_.order.route, by_station};
   itinerary_ = scheduler::itinerary(vehicle.id, landings, uav.solution.plan, times);
+  swap_as_flown(ends, uav.solution.plan, itinerary_);
+  uav.solution.objective_s = uav.solution.plan.non_spray_s;
   return uav;
 }
 

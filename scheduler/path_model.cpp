@@ -38,7 +38,8 @@ fleet::Depot depot(const Station& s) {
   return {.position = s.position,
           .bays = s.bays,
           .service_s = s.fill_base.base(),
-          .fill_s = (s.fill_full - s.fill_base).base()};
+          .fill_s = (s.fill_full - s.fill_base).base(),
+          .swap_s = s.battery_swap.base()};
 }
 
 /// A flier as bounds may take it.

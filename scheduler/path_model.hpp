@@ -29,7 +29,8 @@ struct ModelMargins {
 };
 
 /// The route for a search. Cells become stretches of their strip, of equal length; what is sprayed
-/// between two strips counts as strip. Tanks are filled at every visit, packs swapped meanwhile.
+/// between two strips counts as strip. Tanks are filled at every visit, and packs swapped
+/// meanwhile that do not last for the next flight.
 ///
 /// @return  Nothing where a tank does not last for four cells, and on surveys.
 std::optional<planner::fleet::FleetProblem> search_model(const planner::Route& route,

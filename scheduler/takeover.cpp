@@ -108,7 +108,8 @@ std::optional<Planned> planned(const Desk& desk, std::size_t u, const Share& sha
                               part(desk.lengths.stations[desk.at[u]], cells));
   auto plan = quick_plan(problem);
   if (!plan) return std::nullopt;
-  const Itinerary flown = itinerary(survivor.vehicle.id, 0, *plan, FlightTimes{route, problem});
+  Itinerary flown = itinerary(survivor.vehicle.id, 0, *plan, FlightTimes{route, problem});
+  swap_as_flown(std::vector<const ReturnProblem*>(plan->sorties.size(), &problem), *plan, flown);
   if (!is_in_time(survivor.vehicle, survivor.ready_s + flight_s(flown))) return std::nullopt;
   UavPlan uav{.vehicle = survivor.vehicle,
               .station = survivor.station,

@@ -23,12 +23,13 @@ struct Flier {
   FieldPoint start;  ///< Where it stands at time 0, tank and pack full.
 };
 
-/// Where tanks are filled and packs are swapped: both at every visit.
+/// Where tanks are filled at every visit, and packs swapped that do not last for the next flight.
 struct Depot {
   FieldPoint position;
   std::uint32_t bays = 1;  ///< >= 1.
   double service_s = 0.0;
   double fill_s = 0.0;  ///< Besides, for a whole tank; for a part of one so much of it.
+  double swap_s = 0.0;  ///< For a pack, meanwhile. Bounds leave it out.
 };
 
 struct FleetProblem {

@@ -1,5 +1,7 @@
 #include "planner/fleet/queue_clock.hpp"
 
+#include "core/vehicle.hpp"
+
 #include <algorithm>
 #include <bit>
 #include <limits>
@@ -36,12 +38,13 @@ double flight_s(const FleetProblem& problem, const Sortie& s, FieldPoint from) {
   return lost_s + (s.to_m - s.from_m) / flier.spray_mps + ferried_m / flier.ferry_mps;
 }
 
-double service_s(const FleetProblem& problem, std::uint32_t depot, const Sortie& next) {
+double service_s(const FleetProblem& problem, std::uint32_t depot, const Sortie& next, bool swaps) {
   const Depot& at = problem.depots[depot];
   const Flier& flier = problem.fliers[next.flier];
   const double fill_s =
       at.fill_s > 0.0 ? at.fill_s * (next.to_m - next.from_m) / flier.tank_m : 0.0;
-  return at.service_s + flier.service_s + fill_s;
+  const double filled_s = at.service_s + flier.service_s + fill_s;
+  return swaps ? std::max(filled_s, at.swap_s) : filled_s;
 }
 
 bool is_better(const Finish& a, const Finish& b) {
@@ -120,12 +123,13 @@ double QueueClock::timed_s(const Sortie& s, std::uint32_t from_depot) {
   return known.flight_s;
 }
 
-/// When the bay lets it go, having waited for it.
-double QueueClock::served_s(const Sortie& landed, const Sortie& next, double arrives_s) {
-  auto& bays = free_s_[landed.depot];
-  double& bay = *std::min_element(bays.begin(), bays.end());
-  bay = std::max(arrives_s, bay) + service_s(problem_, landed.depot, next);
-  return bay;
+/// Whether its pack is swapped, which is full then.
+bool QueueClock::swaps(const Sortie& landed, const Sortie& next) {
+  const double wanted_s = wanted_pack_s(timed_s(next, landed.depot));
+  double& used_s = used_s_[next.flier];
+  if (used_s + wanted_s <= problem_.fliers[next.flier].pack_s) return false;
+  used_s = 0.0;
+  return true;
 }
 
 QueueClock::Ended QueueClock::ended(const Sortie& last, const Ended& so_far, double lands_s) const {
@@ -143,6 +147,7 @@ void QueueClock::fly(std::uint32_t i, std::uint32_t from_depot, double at_s) {
   Ended& ended = now_.ended[s.flier];
   ended.is_carried &= s.to_m - s.from_m <= flier.tank_m + slack;
   ended.is_carried &= flight_s <= flier.pack_s + slack;
+  used_s_[s.flier] += flight_s;
   leaves_s_[i] = at_s;
   lands_s_[i] = at_s + flight_s;
   ++flown_count_;
@@ -158,9 +163,12 @@ void QueueClock::land(const Arrival& now) {
     return;
   }
   const Sortie& next = now_.sorties[now.sortie + 1];
-  const double leaves_s = served_s(landed, next, now.at_s);
-  ended.wait_s += leaves_s - service_s(problem_, landed.depot, next) - now.at_s;
-  fly(now.sortie + 1, landed.depot, leaves_s);
+  auto& bays = free_s_[landed.depot];
+  double& bay_s = *std::min_element(bays.begin(), bays.end());
+  const double starts_s = std::max(now.at_s, bay_s);
+  ended.wait_s += starts_s - now.at_s;
+  bay_s = starts_s + service_s(problem_, landed.depot, next, swaps(landed, next));
+  fly(now.sortie + 1, landed.depot, bay_s);
 }
 
 Finish QueueClock::sum() const {
@@ -185,6 +193,7 @@ Finish QueueClock::finish(std::span<const Sortie> sorties) {
   flown_count_ = 0;
   arrivals_.clear();
   now_.ended.resize(problem_.fliers.size());
+  used_s_.assign(problem_.fliers.size(), 0.0);
   for (std::size_t u = 0; u < problem_.fliers.size(); ++u) {
     now_.ended[u] = is_taken_[u] != 0 ? Ended{} : kept_.ended[u];
     if (is_taken_[u] == 0 || now_.of(u).empty()) continue;

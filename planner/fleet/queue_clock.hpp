@@ -8,8 +8,9 @@
 
 namespace furrow::planner::fleet {
 
-/// In the bay before a sortie, seconds.
-double service_s(const FleetProblem& problem, std::uint32_t depot, const Sortie& next);
+/// In the bay before a sortie, its pack swapped or not, seconds.
+double service_s(const FleetProblem& problem, std::uint32_t depot, const Sortie& next,
+                 bool swaps = false);
 
 /// Flight of one sortie, out from a place, over its hops and home, seconds.
 double flight_s(const FleetProblem& problem, const Sortie& sortie, FieldPoint from);
@@ -82,7 +83,7 @@ class QueueClock {
   void fly(std::uint32_t sortie, std::uint32_t from_depot, double at_s);
   void land(const Arrival& now);
   double timed_s(const Sortie& sortie, std::uint32_t from_depot);
-  double served_s(const Sortie& landed, const Sortie& next, double arrives_s);
+  bool swaps(const Sortie& landed, const Sortie& next);
   Ended ended(const Sortie& last, const Ended& so_far, double lands_s) const;
   Finish sum() const;
 
@@ -90,6 +91,7 @@ class QueueClock {
   Flown now_, kept_;
   std::vector<std::uint32_t> place_;      ///< Where the next sortie of a flier is arranged.
   std::vector<std::uint32_t> number_;     ///< In the plan, of sorties as they are arranged.
+  std::vector<double> used_s_;            ///< By flier: of the pack on board.
   std::vector<char> is_taken_, is_busy_;  ///< Fliers to fly, and depots that they meet at.
   std::size_t flown_count_ = 0;
   std::vector<std::vector<double>> free_s_;  ///< By depot and bay.

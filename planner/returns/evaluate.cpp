@@ -53,6 +53,65 @@ void serve(ReturnPlan& plan, PlannedSortie& sortie, const PlannedSortie& next,
   plan.round_trips_m += at.back_m[sortie.last] + at.out_m[next.first];
 }
 
+/// The stations that sortie `n` leads from and to.
+Ends ends_of(std::span<const ReturnProblem* const> landings, std::size_t n) {
+  return {.from = *landings[n == 0 ? 0 : n - 1], .to = *landings[n]};
+}
+
+/// The sorties between returns, nothing yet served.
+ReturnPlan cut(std::span<const ReturnProblem* const> landings, const Returns& returns) {
+  require(landings.size() == returns.size() + 1, "every sortie ends at a station");
+  const std::uint32_t cells = cell_count(*landings.front());
+  require(std::is_sorted(returns.begin(), returns.end(), std::less_equal<>{}) &&
+              (returns.empty() || (returns.front() > 0 && returns.back() + 1 < cells)),
+          "returns rise strictly between the first cell and the last");
+  ReturnPlan plan{
+      .returns = returns, .sorties = {}, .non_spray_s = 0, .round_trips_m = 0, .swaps = 0};
+  plan.sorties.reserve(returns.size() + 1);
+  std::uint32_t first = 0;
+  for (const std::uint32_t last : returns) {
+    plan.sorties.push_back(flown(ends_of(landings, plan.sorties.size()), first, last));
+    first = last;
+  }
+  plan.sorties.push_back(flown(ends_of(landings, returns.size()), first, cells - 1));
+  return plan;
+}
+
+/// What a sortie takes of its pack, and what has to be left for it to be begun.
+struct Charge {
+  double taken_s, wanted_s;
+};
+
+/// Serves the sorties of `plan`. `charge(n, takes_s)` judges what the problems say that the n-th
+/// takes.
+template <class ChargeOf>
+ReturnPlan swapped(std::span<const ReturnProblem* const> landings, ReturnPlan plan,
+                   ChargeOf charge) {
+  const ReturnProblem& any = *landings.front();
+  const Limits limits = limits_of(any);
+  const auto charge_of = [&](std::size_t n) {
+    return charge(n, pack_s(ends_of(landings, n), plan.sorties[n]));
+  };
+  double used_s = 0.0;  // of the pack on board
+  Charge now = charge_of(0);
+  for (std::size_t n = 0; n < plan.sorties.size(); ++n) {
+    PlannedSortie& sortie = plan.sorties[n];
+    sortie.pack = plan.swaps + 1;
+    sortie.battery_used = now.taken_s / any.vehicle.flight_endurance.base();
+    used_s += now.taken_s;
+    if (n + 1 == plan.sorties.size()) break;
+
+    now = charge_of(n + 1);
+    const bool swap = used_s + now.wanted_s > limits.pack_s;
+    if (swap) {
+      used_s = 0.0;
+      ++plan.swaps;
+    }
+    serve(plan, sortie, plan.sorties[n + 1], *landings[n], swap);
+  }
+  return plan;
+}
+
 }  // namespace
 
 ReturnPlan evaluated(const ReturnProblem& problem, const Returns& returns) {
@@ -60,43 +119,17 @@ ReturnPlan evaluated(const ReturnProblem& problem, const Returns& returns) {
 }
 
 ReturnPlan evaluated(std::span<const ReturnProblem* const> landings, const Returns& returns) {
-  require(landings.size() == returns.size() + 1, "every sortie ends at a station");
-  const ReturnProblem& any = *landings.front();
-  require(std::is_sorted(returns.begin(), returns.end(), std::less_equal<>{}) &&
-              (returns.empty() || (returns.front() > 0 && returns.back() + 1 < cell_count(any))),
-          "returns rise strictly between the first cell and the last");
-  const Limits limits = limits_of(any);
-  ReturnPlan plan{
-      .returns = returns, .sorties = {}, .non_spray_s = 0, .round_trips_m = 0, .swaps = 0};
-  plan.sorties.reserve(returns.size() + 1);
-  const auto ends = [&](std::size_t n) {
-    return Ends{.from = *landings[n == 0 ? 0 : n - 1], .to = *landings[n]};
-  };
-  std::uint32_t first = 0;
-  for (const std::uint32_t last : returns) {
-    plan.sorties.push_back(flown(ends(plan.sorties.size()), first, last));
-    first = last;
-  }
-  plan.sorties.push_back(flown(ends(returns.size()), first, cell_count(any) - 1));
+  return swapped(landings, cut(landings, returns), [](std::size_t, double takes_s) {
+    return Charge{.taken_s = takes_s, .wanted_s = takes_s};
+  });
+}
 
-  double used_s = 0.0;  // of the pack on board
-  for (std::size_t n = 0; n < plan.sorties.size(); ++n) {
-    PlannedSortie& sortie = plan.sorties[n];
-    const double takes_s = pack_s(ends(n), sortie);
-    sortie.pack = plan.swaps + 1;
-    sortie.battery_used = takes_s / any.vehicle.flight_endurance.base();
-    used_s += takes_s;
-    if (n + 1 == plan.sorties.size()) break;
-
-    const PlannedSortie& next = plan.sorties[n + 1];
-    const bool swap = used_s + pack_s(ends(n + 1), next) > limits.pack_s;
-    if (swap) {
-      used_s = 0.0;
-      ++plan.swaps;
-    }
-    serve(plan, sortie, next, *landings[n], swap);
-  }
-  return plan;
+ReturnPlan evaluated_as_flown(std::span<const ReturnProblem* const> landings,
+                              const Returns& returns, std::span<const double> lost_s) {
+  require(lost_s.size() == landings.size(), "every sortie loses some time, or none");
+  return swapped(landings, cut(landings, returns), [lost_s](std::size_t n, double takes_s) {
+    return Charge{.taken_s = takes_s + lost_s[n], .wanted_s = wanted_pack_s(takes_s + lost_s[n])};
+  });
 }
 
 bool is_feasible(const ReturnProblem& problem, const ReturnPlan& plan) {

@@ -27,6 +27,11 @@ ReturnPlan evaluated(const ReturnProblem& problem, const Returns& returns);
 ///                  station where it ends.
 ReturnPlan evaluated(std::span<const ReturnProblem* const> landings, const Returns& returns);
 
+/// The same with packs as aircraft swap them: when the charge left is less than `wanted_pack_s`.
+/// @param lost_s  By sortie: what it takes of its pack beyond what the problems count.
+ReturnPlan evaluated_as_flown(std::span<const ReturnProblem* const> landings,
+                              const Returns& returns, std::span<const double> lost_s);
+
 /// Whether every sortie of the plan stays within one tank and one pack (reserve kept).
 bool is_feasible(const ReturnProblem& problem, const ReturnPlan& plan);
 

@@ -78,6 +78,23 @@ TEST_CASE("evaluate: one return costs its round trip and the longer of filling a
   CHECK_THAT(swapped.sorties[1].battery_used, WithinAbs(4.559 / 6.5, 1e-3));
 }
 
+TEST_CASE("evaluate: as flown, packs are swapped by what flights lose and are to be sure of",
+          "[planner]") {
+  // Sorties of 2.183 s and 4.559 s as above, which lose 5 s and 1 s. Before the second the pack has
+  // given 7.183 s and has to be good for 1.005 * 5.559 + 6 = 11.587 s more: 18.770 s in all.
+  Vehicle vehicle = paper_case::vehicle();
+  const auto swaps = [&](double pack_s) {
+    vehicle.flight_endurance = seconds(pack_s);
+    const ReturnProblem p =
+        return_problem(route_with_ferry(), {0, 6}, vehicle, paper_case::station());
+    const ReturnPlan plan = evaluated_as_flown(std::vector{&p, &p}, {2}, std::vector{5.0, 1.0});
+    CHECK_THAT(plan.sorties[1].battery_used, WithinAbs(5.559 / pack_s, 1e-3));
+    return plan.swaps;
+  };
+  CHECK(swaps(18.8) == 0);
+  CHECK(swaps(18.7) == 1);
+}
+
 TEST_CASE("evaluate: sorties may end at different stations", "[planner]") {
   // Home from (1, 5) to (1, 11), 6 m at 6 m/s; there 20 s and 40 s of a tank for 4 m of its 2700 m;
   // out to the next strip at (9, 1); home from (9, 5) to (9, 0).
