@@ -74,7 +74,8 @@ planner::Room with_volumes(const planner::Room& room, const Scenario& scenario, 
   return room.with(std::move(circles));
 }
 
-// On board, as strips are led around the obstacles that the plan knows.
+// On board, every obstacle that the plan knows is one to keep the safety distance from, whether
+// rows end at it or are led around it.
 planner::AvoidanceRule avoidance_rule(const Scenario& scenario) {
   if (scenario.surprises.empty()) return {};
   const auto coverage = fleet_problem(scenario).coverage;
@@ -84,10 +85,8 @@ planner::AvoidanceRule avoidance_rule(const Scenario& scenario) {
   const Length clearance = avoidance->safety + metres(planner::tracking_room_m);
   const Length margin = std::visit([](const auto& settings) { return settings.margin; }, coverage);
   const Length buffer = swath ? swath->hole_buffer : Length{};
-  const Length width = scenario.uavs.front().swath;
-  auto room = planner::room_of(scenario.field, margin, buffer, clearance, width);
-  auto beyond =
-      planner::room_of(without_boundary(scenario.field), margin, buffer, clearance, width);
+  auto room = planner::room_of(scenario.field, margin, buffer, clearance);
+  auto beyond = planner::room_of(without_boundary(scenario.field), margin, buffer, clearance);
   require(room && beyond, "a field that was planned leaves room");
   return {.planned = with_volumes(*room, scenario, clearance),
           .beyond = with_volumes(*beyond, scenario, clearance),

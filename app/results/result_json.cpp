@@ -58,6 +58,7 @@ Json json(const planner::AvoidanceRecord& r, const MetFigures& met) {
                {"dubins_turns", r.turns},
                {"turned_on_the_spot", r.unturned},
                {"unjoined", r.unjoined},
+               {"outlines_that_end_rows", r.ended},
                {"met", json(met)},
                {"classic", json(r.classic)}});
   return made;

@@ -35,7 +35,7 @@ Field orchard(std::size_t trees, double width_m, double length_m) {
 
 // 200 trees on 20 ha, 75 strips of 444 m; ratio of wrong areas to those of half circles.
 void whole_field(benchmark::State& state) {
-  const Room room = *room_of(orchard(200, 450, 444), metres(0), metres(0), metres(1.5), metres(6));
+  const Room room = *room_of(orchard(200, 450, 444), metres(0), metres(0), metres(1.5));
   const auto strips = rows(75, 444, 6);
   AvoidanceSettings s;
   s.turn_radius = metres(3);

@@ -222,19 +222,20 @@ AvoidanceRecord record_of(const std::vector<StraightStrip>& strips, const Room& 
   half_circles.method = AvoidanceMethod::classic;
   return {.planned = planned,
           .classic = plan_avoidance(strips, room, half_circles).figures,
-          .safety = settings.safety};
+          .safety = settings.safety,
+          .ended = settings.ends_rows.size()};
 }
 
 }  // namespace
 
-Expected<RowsAround, PlanError> rows_around(const Field& field, Length swath,
-                                            const std::vector<SwathStrip>& rows,
+Expected<RowsAround, PlanError> rows_around(const Field& field, const std::vector<SwathStrip>& rows,
                                             const SwathSettings& settings) {
   require(settings.avoidance.has_value(), "obstacles are flown around by settings");
   const auto land = field_land(field, settings.margin, settings.hole_buffer);
   if (!land) return Unexpected{land.error()};
-  const auto room = room_of(field, settings.margin, settings.hole_buffer,
-                            settings.avoidance->safety + metres(tracking_room_m), swath);
+  const auto room =
+      room_of(field, settings.margin, settings.hole_buffer,
+              settings.avoidance->safety + metres(tracking_room_m), settings.avoidance->ends_rows);
   if (!room) return Unexpected{room.error()};
 
   const auto strips = straight_strips(rows, settings.row_overlap.value_or(Length{}));
@@ -267,9 +268,10 @@ Expected<SwathCoverage, PlanError> coverage_around(const Field& field, Length sw
   SwathSettings straight = settings;
   straight.safety = settings.avoidance->safety;
   straight.avoidance.reset();
-  auto made = swath_coverage(without_led_around(field, swath), swath, straight);
+  auto made =
+      swath_coverage(without_led_around(field, settings.avoidance->ends_rows), swath, straight);
   if (!made) return made;
-  auto around = rows_around(field, swath, made->strips, settings);
+  auto around = rows_around(field, made->strips, settings);
   if (!around) return Unexpected{around.error()};
   record = around->record;
   made->strips = std::move(around->strips);

@@ -15,9 +15,10 @@ struct AvoidanceRecord {
   /// found among the obstacles or inside, which aircraft turn on the spot.
   std::size_t turns = 0, unturned = 0;
   std::size_t unjoined = 0;  ///< Strips to which no clear way inside leads from the one before.
+  std::size_t ended = 0;     ///< Outlines at which rows end, since that costs less.
 };
 
-/// Rows led around the obstacles of a field; see `is_led_around`.
+/// Rows led around the obstacles of a field.
 struct RowsAround {
   std::vector<SwathStrip> strips;  ///< As of `coverage_around`, in the order flown; may be none.
   std::vector<std::size_t> rows;   ///< The row that each strip is of.
@@ -33,8 +34,7 @@ struct RowsAround {
 /// @pre    `settings.avoidance` has a value.
 /// @error  field_invalid     See `field_land`; or obstacles cut the field.
 /// @error  nothing_to_spray  No strip is left.
-Expected<RowsAround, PlanError> rows_around(const Field& field, Length swath,
-                                            const std::vector<SwathStrip>& rows,
+Expected<RowsAround, PlanError> rows_around(const Field& field, const std::vector<SwathStrip>& rows,
                                             const SwathSettings& settings);
 
 /// `swath_coverage` with rows that run on past obstacles and are led around them. Each leg of a

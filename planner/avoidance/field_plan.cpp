@@ -176,23 +176,29 @@ AvoidancePlan classic_plan(const FieldOptions& field, const Room& room, Avoidanc
 
 }  // namespace
 
-bool is_led_around(const Obstacle& obstacle, Length swath) {
-  return obstacle.outline.empty() || obstacle.radius <= 2.0 * swath;
-}
-
-Field without_led_around(Field field, Length swath) {
-  std::erase_if(field.obstacles, [&](const Obstacle& o) { return is_led_around(o, swath); });
+Field without_led_around(Field field, const std::vector<std::size_t>& ends_rows) {
+  std::vector<Obstacle> kept;
+  for (const std::size_t i : ends_rows) kept.push_back(std::move(field.obstacles.at(i)));
+  field.obstacles = std::move(kept);
   return field;
 }
 
+std::vector<Obstacle> led_around(const Field& field, const std::vector<std::size_t>& ends_rows) {
+  std::vector<Obstacle> led;
+  for (std::size_t i = 0; i < field.obstacles.size(); ++i) {
+    const bool ends = std::find(ends_rows.begin(), ends_rows.end(), i) != ends_rows.end();
+    if (!ends) led.push_back(field.obstacles[i]);
+  }
+  return led;
+}
+
 Expected<Room, PlanError> room_of(const Field& field, Length margin, Length hole_buffer,
-                                  Length safety, Length swath) {
-  auto land = field_land(without_led_around(field, swath), margin, hole_buffer, safety);
+                                  Length safety, const std::vector<std::size_t>& ends_rows) {
+  auto land = field_land(without_led_around(field, ends_rows), margin, hole_buffer, safety);
   if (!land) return Unexpected{land.error()};
   std::vector<CircleM> circles;
   std::vector<BarrierM> barriers;
-  for (const Obstacle& o : field.obstacles) {
-    if (!is_led_around(o, swath)) continue;
+  for (const Obstacle& o : led_around(field, ends_rows)) {
     if (o.outline.empty()) {
       circles.push_back({plane(o.center), (o.radius + safety).base()});
       continue;

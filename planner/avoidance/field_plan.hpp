@@ -12,24 +12,23 @@
 
 namespace furrow::planner {
 
-/// Whether strips run on past an obstacle and are led around it or end before it, whichever costs
-/// less: round ones, and outlines that a circle of two swaths holds. Strips end at larger ones: no
-/// way around those is worth its length.
-bool is_led_around(const Obstacle& obstacle, Length swath);
-
-/// `field` without the obstacles that rows are led around: what rows are laid on that run on past
-/// them.
-Field without_led_around(Field field, Length swath);
-
-/// The room of a field: inside boundary, holes and large outlines, clear of what strips are led
-/// around.
+/// `field` with none of its obstacles but those that end rows: what rows are laid on that run on
+/// past all others.
 ///
-/// @param margin  From boundary, holes and large outlines, >= 0.
-/// @param safety  From obstacles, >= 0.
-/// @param swath   > 0; see `is_led_around`.
+/// @param ends_rows  See AvoidanceSettings.
+Field without_led_around(Field field, const std::vector<std::size_t>& ends_rows);
+
+/// The obstacles of `field` that rows are led around, in order.
+std::vector<Obstacle> led_around(const Field& field, const std::vector<std::size_t>& ends_rows);
+
+/// The room of a field: inside boundary, holes and what ends rows, clear of all other obstacles.
+///
+/// @param margin     From boundary, holes and what ends rows, >= 0.
+/// @param safety     From obstacles, >= 0.
+/// @param ends_rows  See AvoidanceSettings.
 /// @error  As `field_land`.
 Expected<Room, PlanError> room_of(const Field& field, Length margin, Length hole_buffer,
-                                  Length safety, Length swath);
+                                  Length safety, const std::vector<std::size_t>& ends_rows = {});
 
 /// A straight strip to spray.
 struct StraightStrip {

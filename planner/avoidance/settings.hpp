@@ -2,7 +2,9 @@
 
 #include "core/units.hpp"
 
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace furrow::planner {
 
@@ -33,6 +35,9 @@ struct AvoidanceSettings {
   std::uint32_t population = 60, iterations = 200;  ///< Of the genetic search.
   double target_fitness = 0;                        ///< At which it stops.
   std::uint64_t seed = 0;
+  /// Obstacles of the field at which rows end, as they do at holes, by number; rows are led around
+  /// all others. `cover` chooses them.
+  std::vector<std::size_t> ends_rows{};
 };
 
 }  // namespace furrow::planner

@@ -55,8 +55,8 @@ std::vector<WalkRow> rows_of(const Route& walk, double direction_deg) {
 class Builder {
  public:
   Builder(const Route& walk, const std::vector<WalkRow>& rows, const RowsAround& around,
-          const Field& field, Length clearance)
-      : walk_{walk}, rows_{rows}, around_{around}, field_{field}, clearance_{clearance} {}
+          std::vector<Obstacle> led, Length clearance)
+      : walk_{walk}, rows_{rows}, around_{around}, led_{std::move(led)}, clearance_{clearance} {}
 
   WalkAround built() {
     made_.route.cell = walk_.cell;
@@ -88,9 +88,8 @@ class Builder {
   // Whether an arc that cuts the corner there may come too near to an obstacle.
   bool is_near(FieldPoint corner) const {
     const Length more = clearance_ + 0.5 * walk_.cell;
-    return std::any_of(field_.obstacles.begin(), field_.obstacles.end(), [&](const Obstacle& o) {
-      return is_led_around(o, walk_.cell) && -depth_in(o, corner) < more;
-    });
+    return std::any_of(led_.begin(), led_.end(),
+                       [&](const Obstacle& o) { return -depth_in(o, corner) < more; });
   }
 
   // A pass that stays as the walk has it.
@@ -144,7 +143,7 @@ class Builder {
   const Route& walk_;
   const std::vector<WalkRow>& rows_;
   const RowsAround& around_;
-  const Field& field_;
+  std::vector<Obstacle> led_;  // around which rows are led
   Length clearance_;
   WalkAround made_{};
   bool ends_with_cells_ = false;  // the route so far
@@ -156,7 +155,8 @@ class Builder {
 Expected<WalkAround, PlanError> walk_around(const Field& field, Length swath,
                                             const CoverageSettings& settings) {
   require(settings.avoidance.has_value(), "obstacles are flown around by settings");
-  const auto walk = coverage_route(without_led_around(field, swath), swath, settings);
+  const auto& ends_rows = settings.avoidance->ends_rows;
+  const auto walk = coverage_route(without_led_around(field, ends_rows), swath, settings);
   if (!walk) return Unexpected{walk.error()};
   const std::vector<WalkRow> rows = rows_of(*walk, settings.work_direction_deg);
   std::vector<SwathStrip> lines;
@@ -165,10 +165,10 @@ Expected<WalkAround, PlanError> walk_around(const Field& field, Length swath,
   SwathSettings led;
   led.margin = settings.margin;
   led.avoidance = settings.avoidance;
-  auto around = rows_around(field, swath, lines, led);
+  auto around = rows_around(field, lines, led);
   if (!around) return Unexpected{around.error()};
   const Length clearance = settings.avoidance->safety + metres(tracking_room_m);
-  return Builder{*walk, rows, *around, field, clearance}.built();
+  return Builder{*walk, rows, *around, led_around(field, ends_rows), clearance}.built();
 }
 
 }  // namespace furrow::planner

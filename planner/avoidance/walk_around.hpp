@@ -15,8 +15,8 @@ struct WalkAround {
   RowsAround rows;
 };
 
-/// `coverage_route` over the cells of obstacles that are led around too (see `is_led_around`), with
-/// the valve open or closed, whichever costs less; larger outlines are left out as cells.
+/// `coverage_route` over the cells of obstacles that are led around too, with the valve open or
+/// closed, whichever costs less; those that end rows are left out as cells.
 ///
 /// Rows and the steps between them that meet no obstacle stay as they are, sprayed from centre to
 /// centre. Others become strips sprayed from end to end, a detour one for each of its legs. No

@@ -41,7 +41,22 @@ struct Coverage {
   std::optional<SweepFigures> sweep;  ///< Of the swath model, and of a grid with `avoidance`.
 };
 
+/// What a coverage costs, by which it is chosen what rows are led around, in metres flown:
+///
+///     length_weight (route + corners turn_cost / 2) + area_weight (missed + repeated) / swath
+///
+/// with the weights of `avoidance`, the route with all ways between strips (straight where they
+/// leap), corners those sharper than 45 degrees, two for each turn to the next row, turn_cost that
+/// of SwathSettings, 5 m, and the areas of the whole field.
+///
+/// @pre  `coverage.sweep` has a value.
+double coverage_cost_m(const Coverage& coverage, Length swath, const AvoidanceSettings& avoidance);
+
 /// Covers `field` by `model`.
+///
+/// Rows are led around round obstacles and outlines that a circle of two swaths holds. Larger
+/// outlines end rows, but for those around which rows cost less by `coverage_cost_m`: up to eight
+/// are tried one after another, that of the least ground first, by planning the whole field.
 ///
 /// @param swath  > 0.
 /// @error  As `coverage_route` and `swath_coverage`.

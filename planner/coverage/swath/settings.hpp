@@ -43,8 +43,8 @@ struct SwathSettings {
   HeadlandTurn headland_turn = HeadlandTurn::counter_clockwise;
   Length turn_cost = metres(5);      ///< What a turn counts in the search, as metres flown, >= 0.
   std::optional<FieldPoint> near{};  ///< Start or supply: the route begins on the side near it.
-  /// Rows run on past obstacles and are led around them (see `is_led_around`); without, obstacles
-  /// end rows as holes do.
+  /// Rows run on past obstacles and are led around them, but for those of `ends_rows`; without,
+  /// obstacles end rows as holes do.
   std::optional<AvoidanceSettings> avoidance{};
   double miss_tolerance = 5e-4;  ///< Share of the land that rows of `cover_all` may leave out.
 };

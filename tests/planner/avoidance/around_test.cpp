@@ -54,13 +54,16 @@ TEST_CASE("rows run on past trees: every strip and every way between keeps clear
   }
 }
 
-TEST_CASE("rows run on past small outlines and end at large ones, all at the safety distance") {
+TEST_CASE(
+    "rows run on past outlines and end at those told to end them, all at the safety distance") {
   Field field{{at_m(0, 0), at_m(120, 0), at_m(120, 120), at_m(0, 120)}, {}, {}};
   // A shed of 3 x 2 m on a row and a barn of 30 x 30 m, held by circles of 1.8 and 21 m.
   field.obstacles = {outlined("shed", {at_m(14, 50), at_m(17, 50), at_m(17, 52), at_m(14, 52)}),
                      outlined("barn", {at_m(60, 40), at_m(90, 40), at_m(90, 70), at_m(60, 70)})};
+  SwathSettings settings = settings_around();
+  settings.avoidance->ends_rows = {1};
   std::optional<AvoidanceRecord> record;
-  const auto made = coverage_around(field, metres(6), settings_around(), record);
+  const auto made = coverage_around(field, metres(6), settings, record);
   REQUIRE(made);
   CHECK(record->planned.targets == 1);
   CHECK(record->planned.detours + record->planned.closed == 1);

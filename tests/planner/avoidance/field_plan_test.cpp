@@ -27,7 +27,7 @@ Field field_of(double width_m, double length_m) {
 }
 
 Room room_for(const Field& field, Length safety) {
-  auto room = room_of(field, metres(0), metres(0), safety, metres(6));
+  auto room = room_of(field, metres(0), metres(0), safety);
   REQUIRE(room);
   return *room;
 }
