@@ -178,6 +178,7 @@ AvoidancePlan classic_plan(const FieldOptions& field, const Room& room, Avoidanc
 
 Field without_led_around(Field field, const std::vector<std::size_t>& ends_rows) {
   std::vector<Obstacle> kept;
+  kept.reserve(ends_rows.size());
   for (const std::size_t i : ends_rows) kept.push_back(std::move(field.obstacles.at(i)));
   field.obstacles = std::move(kept);
   return field;
