@@ -239,7 +239,9 @@ void AgentNode::note_lack(bool swap, double fill) {
   lack_.clear();
   if (!lacks_pack && !lacks_mix) return;
   const char* what = !lacks_mix ? "charged pack" : lacks_pack ? "mix and charged pack" : "mix";
-  lack_ = "station " + std::to_string(number(claim.station)) + " has no " + what + " for it";
+  const bool closes = station(claim.station).available_until && lacks_mix && fill <= 0.0;
+  lack_ = "station " + std::to_string(number(claim.station)) +
+          (closes ? " serves it no more" : std::string{" has no "} + what + " for it");
   note("not_served", "finds that " + lack_);
 }
 

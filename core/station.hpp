@@ -2,6 +2,7 @@
 
 #include "core/geometry.hpp"
 #include "core/ids.hpp"
+#include "core/window.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -19,6 +20,8 @@ struct Station {
   Seconds fill_full;            ///< T_p,max: time to fill an empty tank, base included.
   std::optional<Volume> mix{};  ///< There at the start; none: no end of it.
   std::optional<std::uint32_t> packs{};  ///< Charged ones at the start; none: no end of them.
+  Seconds available_from{};  ///< Mission time at which the first service begins at the earliest.
+  std::optional<Seconds> available_until{};  ///< All services are done by then; none: no end.
 };
 
 /// Time to fill `share` of a tank, 0 < share <= 1; nothing to fill takes no time.
@@ -30,6 +33,17 @@ constexpr Seconds fill_time(const Station& s, double share) {
 /// Time in the bay.
 constexpr Seconds service_time(const Station& s, bool swap, double fill_share) {
   return std::max(swap ? s.battery_swap : Seconds{}, fill_time(s, fill_share));
+}
+
+/// When plans have its last service done at the latest; none: no end.
+constexpr std::optional<Seconds> planned_until(const Station& s) {
+  return planned_end(s.available_from, s.available_until);
+}
+
+/// Whether it keeps a service that begins then and takes so long.
+constexpr bool keeps(const Station& s, Seconds begins, Seconds service) {
+  return begins >= s.available_from &&
+         (!s.available_until || begins + service <= *s.available_until);
 }
 
 }  // namespace furrow

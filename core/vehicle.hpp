@@ -2,6 +2,7 @@
 
 #include "core/geometry.hpp"
 #include "core/ids.hpp"
+#include "core/window.hpp"
 
 #include <optional>
 
@@ -45,12 +46,9 @@ constexpr Acceleration planned_acceleration(const Vehicle& v) {
   return 0.95 * v.acceleration_limit;
 }
 
-/// When plans have it down for good at the latest; none: no end. What they keep of its window,
-/// flights may take longer than planned.
+/// When plans have it down for good at the latest; none: no end.
 constexpr std::optional<Seconds> planned_until(const Vehicle& v) {
-  constexpr double kept = 0.04;
-  if (!v.available_until) return std::nullopt;
-  return *v.available_until - kept * (*v.available_until - v.available_from);
+  return planned_end(v.available_from, v.available_until);
 }
 
 /// Flying time a plan may use from one full pack.

@@ -107,6 +107,28 @@ void check_reach(const Draft& draft) {
   }
 }
 
+// Stations that would serve nobody within the mission.
+void check_hours(const Draft& draft) {
+  const std::vector<Station>& stations = draft.scenario.stations;
+  const Seconds longest = seconds(draft.scenario.mission_limit);
+  for (std::size_t k = 0; k < stations.size(); ++k) {
+    const Station& s = stations[k];
+    const Seconds service = service_time(s, true, 0.0);
+    if (s.available_from >= longest) {
+      draft.stations[k].fail("available_from_s",
+                             fmt::format("must be earlier than limits.mission_s, {:.10g}: it "
+                                         "never opens",
+                                         longest.base()));
+    } else if (s.available_until && s.available_from < *s.available_until &&
+               !keeps(s, s.available_from, service)) {
+      draft.stations[k].fail(
+          "available_until_s",
+          fmt::format("must be later than available_from_s by a swap of packs at least, {:.10g} s",
+                      service.base()));
+    }
+  }
+}
+
 void check_joins(const Draft& draft) {
   std::set<NodeId> joining;
   for (std::size_t i = 0; i < draft.faults.size(); ++i) {
@@ -201,6 +223,7 @@ void check_together(const Section& root, const Draft& draft) {
   if (field && fleet && draft.supply_in_order) check_reach(draft);
   if (field && fleet && draft.supply_in_order) check_surprises(draft);
   if (fleet && draft.faults_in_order) check_agent_faults(draft);
+  if (draft.supply_in_order) check_hours(draft);
   if (draft.supply_in_order && draft.faults_in_order) check_station_faults(draft);
   if (fleet && draft.faults_in_order) check_joins(draft);
 }

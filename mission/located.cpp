@@ -25,6 +25,7 @@ std::string rule_of(PlanFault fault) {
     case PlanFault::margin_too_wide: return "must leave land to fly over";
     case PlanFault::too_many_rows: return "must cut the field into fewer rows";
     case PlanFault::window_too_short: return "must leave the fleet time for all of the field";
+    case PlanFault::hours_too_short: return "must leave time for the services planned there";
     case PlanFault::kept_out: return "must leave the field, stations, starts and way points free";
     case PlanFault::ceiling_too_low: return "must let ferries over the ground on their way";
   }
@@ -59,6 +60,13 @@ std::string window_key(const Scenario& s) {
   return s.source.uavs[u] + ".available_until_s";
 }
 
+// Of the station at that place.
+std::string hours_key(const PlanError& error, const Scenario& s) {
+  std::size_t i = 0;
+  while (i + 1 < s.stations.size() && s.stations[i].position != error.at) ++i;
+  return s.source.stations[i] + ".available_until_s";
+}
+
 std::string land_key(const Scenario& s) {
   return s.source.lines.contains("field.file") ? "field.file" : "field.boundary_m";
 }
@@ -75,6 +83,7 @@ std::string key_of(const PlanError& error, const Scenario& s) {
                                           : ".spray_endurance_s");
     case PlanFault::margin_too_wide: return "field.coverage.margin_m";
     case PlanFault::window_too_short: return window_key(s);
+    case PlanFault::hours_too_short: return hours_key(error, s);
     case PlanFault::kept_out: return volume_key(error, s);
     case PlanFault::ceiling_too_low: return "terrain.ceiling_m";
     case PlanFault::nothing_to_spray:

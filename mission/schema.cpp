@@ -129,6 +129,19 @@ void read_field(const Section& s, Scenario& out) {
   }
 }
 
+// Of a UAV or a station.
+template <class T>
+void read_window(const Section& s, T& of) {
+  constexpr double longest_s = 10'000'000;
+  of.available_from = seconds(s.number("available_from_s", from_to(0, longest_s), 0));
+  const auto until = s.optional_number("available_until_s", above_to(0, longest_s), "no end");
+  if (!until) return;
+  of.available_until = seconds(*until);
+  if (of.available_from < *of.available_until) return;
+  s.fail("available_until_s",
+         fmt::format("must be later than available_from_s, {:.10g}", of.available_from.base()));
+}
+
 Station read_station(const Section& s) {
   const Section fill = s.required_section("fill");
   const auto mix_l = s.optional_number("mix_l", from_to(0, 1e9), "no end of it");
@@ -141,6 +154,7 @@ Station read_station(const Section& s) {
                   .fill_full = seconds(fill.number("full_s", from_to(0, 86'400)))};
   if (mix_l) station.mix = litres(*mix_l);
   if (packs) station.packs = static_cast<std::uint32_t>(*packs);
+  read_window(s, station);
   if (fill.has("base_s") && station.fill_base > station.fill_full) {
     fill.fail("base_s", fmt::format("must not exceed full_s, {:.10g}", station.fill_full.base()));
   }
@@ -189,17 +203,6 @@ Seconds read_spray_endurance(const Section& s, const Vehicle& v, bool has_tank) 
 Gnss read_gnss(const Section& s) {
   return {.sigma = metres(s.number("sigma_m", from_to(0, 100), 0.02)),
           .bias = metres(s.number("bias_m", from_to(0, 100), 0))};
-}
-
-void read_window(const Section& s, Vehicle& v) {
-  constexpr double longest_s = 10'000'000;
-  v.available_from = seconds(s.number("available_from_s", from_to(0, longest_s), 0));
-  const auto until = s.optional_number("available_until_s", above_to(0, longest_s), "no end");
-  if (!until) return;
-  v.available_until = seconds(*until);
-  if (v.available_from < *v.available_until) return;
-  s.fail("available_until_s",
-         fmt::format("must be later than available_from_s, {:.10g}", v.available_from.base()));
 }
 
 // The id is set by the caller.

@@ -19,6 +19,7 @@ enum class PlanFault {
   margin_too_wide,        ///< Use a smaller margin: the field vanishes under it.
   too_many_rows,          ///< Use a wider swath, or a smaller field.
   window_too_short,       ///< Let an aircraft fly for longer, or take more of them.
+  hours_too_short,        ///< Keep a station open for longer, or use other stations.
   kept_out,               ///< Move the keep-out volume, or what lies in it.
   ceiling_too_low,        ///< Raise the ceiling, or let ferries search ways past hills.
 };

@@ -118,7 +118,7 @@ class Search {
       if (other == u) index = here.size();
       here.push_back(flown_->itineraries()[other]);
     }
-    QueueClock clock{stations_[station].bays, std::move(here)};
+    QueueClock clock{stations_[station], std::move(here)};
     const double without_s = clock.queue_wait_without_s(index);
     const double with_s = clock.queue_wait_s(index, itinerary_of(tasks_[u], current_[u].plan));
     // Nobody waits, and no plan takes less time by itself.

@@ -158,6 +158,7 @@ bool is_in_time(const Vehicle& vehicle, double lands_s) {
 }
 
 bool is_in_time(std::span<const Vehicle> fleet, const Forecast& forecast) {
+  if (forecast.late_s > 0.0) return false;
   for (std::size_t u = 0; u < fleet.size(); ++u) {
     if (!is_in_time(fleet[u], forecast.lands_s[u])) return false;
   }
@@ -181,13 +182,17 @@ Forecast forecast(std::span<const Itinerary> itineraries, std::span<const Statio
   f.lands_s.assign(count, 0.0);
   std::vector<std::vector<double>> free_s;
   free_s.reserve(stations.size());
-  for (const Station& s : stations) free_s.emplace_back(s.bays, 0.0);
+  for (const Station& s : stations) free_s.emplace_back(s.bays, s.available_from.base());
   TakeOffs take_offs{itineraries, pads};
   serve(
       itineraries,
       [&](std::size_t i, std::size_t n) -> auto& { return free_s[itineraries[i].stations[n]]; },
       std::ref(take_offs),
       [&](std::size_t i, const Visit& visit) {
+        const Station& at = stations[itineraries[i].stations[f.visits[i].size()]];
+        if (const auto until = planned_until(at)) {
+          f.late_s += std::max(0.0, visit.ready_s - until->base());
+        }
         f.visits[i].push_back(visit);
         f.queue_wait_s += visit.starts_s - visit.arrives_s;
       });
@@ -230,15 +235,17 @@ void FleetEnds::change(std::size_t index, Itinerary other) {
   itineraries_[index] = std::move(other);
 }
 
-QueueClock::QueueClock(std::uint32_t bays, std::vector<Itinerary> itineraries)
-    : itineraries_{std::move(itineraries)}, free_s_(bays, 0.0) {
-  require(bays >= 1, "a station has a bay");
+QueueClock::QueueClock(const Station& station, std::vector<Itinerary> itineraries)
+    : itineraries_{std::move(itineraries)},
+      opens_s_{station.available_from.base()},
+      free_s_(station.bays, opens_s_) {
+  require(station.bays >= 1, "a station has a bay");
 }
 
 double QueueClock::queue_wait_s(std::size_t index, Itinerary other) {
   itineraries_[index] = std::move(other);
   double wait_s = 0.0;
-  free_s_.assign(free_s_.size(), 0.0);
+  free_s_.assign(free_s_.size(), opens_s_);
   serve(
       itineraries_, [&](std::size_t, std::size_t) -> auto& { return free_s_; }, as_ready,
       [&](std::size_t, const Visit& v) { wait_s += v.starts_s - v.arrives_s; });

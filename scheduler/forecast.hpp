@@ -48,12 +48,13 @@ struct Forecast {
   std::vector<double> spray_ends_s, lands_s;  ///< By itinerary; 0 for those that do not fly.
   double makespan_s = 0.0;                    ///< When the last cell is sprayed.
   double queue_wait_s = 0.0;                  ///< Sum over all visits.
+  double late_s = 0.0;  ///< By which services end after plans have them done, summed.
 };
 
 /// Whether an aircraft that lands then is down when plans must have it down.
 bool is_in_time(const Vehicle& vehicle, double lands_s);
 
-/// Whether all are.
+/// Whether all are, and all services within the hours of their stations.
 /// @param fleet  In the order of the forecast's itineraries.
 bool is_in_time(std::span<const Vehicle> fleet, const Forecast& forecast);
 
@@ -70,7 +71,8 @@ struct Pads {
 };
 
 /// Flies all itineraries, each from its begin. Each station serves first come first served, those
-/// who come at the same instant by agent id, in the lowest free bay.
+/// who come at the same instant by agent id, in the lowest free bay, from when it opens on; after
+/// it closes it goes on, which is told.
 ///
 /// @param pads  Without a slot whoever is ready takes off.
 /// Time O(visits * (log itineraries + bays)), with pads the take-offs of one besides.
@@ -101,7 +103,7 @@ class FleetEnds {
 /// optimisation, where it is asked for a hundred thousand times.
 class QueueClock {
  public:
-  QueueClock(std::uint32_t bays, std::vector<Itinerary> itineraries);
+  QueueClock(const Station& station, std::vector<Itinerary> itineraries);
 
   /// Total wait at the station when `other` is flown in place of itinerary `index`.
   double queue_wait_s(std::size_t index, Itinerary other);
@@ -111,6 +113,7 @@ class QueueClock {
 
  private:
   std::vector<Itinerary> itineraries_;  ///< In order of agent id.
+  double opens_s_;
   std::vector<double> free_s_;
 };
 

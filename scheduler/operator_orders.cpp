@@ -94,7 +94,7 @@ Instant SchedulerNode::called_home(const Member& m) const {
   constexpr double detours = 1.3;
   constexpr Seconds kept = seconds(30.0);
   if (!m.vehicle.available_until) return never;
-  const Length away = distance(m.place.position, haven(m.station).position);
+  const Length away = distance(m.place.position, haven(m.station, 0.0).position);
   const Seconds home = detours * away / m.vehicle.ferry_speed + kept;
   return instant(std::max(*m.vehicle.available_until - home, Seconds{}));
 }

@@ -176,7 +176,12 @@ std::optional<fleet::FleetProblem> search_model(const planner::Route& route,
     if (f.tank_m <= least_cells * cell_m) return std::nullopt;
     p.fliers.push_back(f);
   }
-  for (const Station& s : stations) p.depots.push_back(depot(s));
+  for (const Station& s : stations) {
+    fleet::Depot d = depot(s);
+    d.opens_s = s.available_from.base();
+    if (const auto until = planned_until(s)) d.closes_s = until->base() - margins.early_s;
+    p.depots.push_back(d);
+  }
   return p;
 }
 

@@ -155,7 +155,9 @@ SortieLists lists_of(const Sketch& s, const Solved& found) {
 /// Sorties chosen for the fleet together, where there is a choice and the settings want it.
 std::optional<JointPlan> jointly(const FleetProblem& problem, const Sketch& s,
                                  const Expected<Solved, PlanError>& found) {
-  const bool has_choice = problem.vehicles.size() > 1 || problem.stations.size() > 1;
+  const auto closes = [](const Station& at) { return at.available_until.has_value(); };
+  const bool has_choice =
+      problem.vehicles.size() > 1 || problem.stations.size() > 1 || closes(problem.stations[0]);
   if (!has_choice || !planner::is_by_gravity(problem.solver.returns) || problem.survey) {
     return std::nullopt;
   }
@@ -172,9 +174,30 @@ std::optional<JointPlan> jointly(const FleetProblem& problem, const Sketch& s,
   return joint;
 }
 
-/// Why nothing is planned: what hinders the shares, or whose window is too short for its share.
+/// The first service of the shares that its station closes before.
+std::optional<PlanError> late_service(const FleetProblem& problem, const Solved& found) {
+  for (std::size_t u = 0; u < problem.vehicles.size(); ++u) {
+    const Station& at = problem.stations[found.shares[u].station];
+    const auto until = planned_until(at);
+    for (const Visit& visit : found.returns.forecast.visits[u]) {
+      if (!until || visit.ready_s <= until->base()) continue;
+      return PlanError{
+          PlanFault::hours_too_short,
+          fmt::format("station {} would serve UAV {} until {:.1f} s, it closes at "
+                      "{:.1f} s, of which plans keep the last {:.1f} s",
+                      number(at.id), number(problem.vehicles[u].id), visit.ready_s,
+                      at.available_until->base(), (*at.available_until - *until).base()),
+          at.position};
+    }
+  }
+  return std::nullopt;
+}
+
+/// Why nothing is planned: what hinders the shares, or which hours or whose window are too short
+/// for them.
 PlanError refusal(const FleetProblem& problem, const Expected<Solved, PlanError>& found) {
   if (!found) return found.error();
+  if (auto late = late_service(problem, *found)) return std::move(*late);
   const Forecast& shares = found->returns.forecast;
   std::size_t u = 0;
   while (u + 1 < problem.vehicles.size() && is_in_time(problem.vehicles[u], shares.lands_s[u])) ++u;

@@ -122,6 +122,29 @@ void SchedulerNode::hear(const StationState& state, Outbox& out) {
                                                    " bays left to plan with"));
 }
 
+/// Plans no more with stations that close; anew, where somebody still had to be served there.
+void SchedulerNode::close_stations(Instant now, Outbox& out) {
+  for (const Station& s : stations_) {
+    if (!s.available_until || now < instant(*s.available_until)) continue;
+    if (!shut_.insert(s.id).second) continue;
+    has_supply_failed_ |= std::any_of(members_.begin(), members_.end(),
+                                      [&](const Member& m) { return needs(m, s.id); });
+    out.messages.push_back(event("station_closed", text(node(s.id)) + " has closed"));
+  }
+}
+
+/// Whether it has work left that it is served for at that station.
+bool SchedulerNode::needs(const Member& m, StationId at) const {
+  bool comes_from_there = false;
+  for (const SortieOrder& sortie : m.sorties) {
+    const auto is_open = [&](const Piece& p) { return ledger_.first_open(p.cells).has_value(); };
+    if (comes_from_there && std::any_of(sortie.pieces.begin(), sortie.pieces.end(), is_open))
+      return true;
+    comes_from_there = sortie.station == at;
+  }
+  return false;
+}
+
 /// Sends what nobody has begun to stations that are open.
 void SchedulerNode::plan_for_failed_supply(Instant now, Outbox& out) {
   if (phase_ != MissionPhase::flying || !has_supply_failed_) return;
@@ -136,14 +159,18 @@ std::vector<Station> SchedulerNode::open_stations() const {
   return open;
 }
 
-/// The station itself, or the nearest that is open if it is shut; itself if none is.
-const Station& SchedulerNode::haven(const Station& wanted) const {
+/// The station itself, or the nearest that serves who comes then if it does not; itself if none
+/// does.
+const Station& SchedulerNode::haven(const Station& wanted, double comes_s) const {
+  const auto is_shut = [&](const Station& s) {
+    const Seconds begins = std::max(seconds(comes_s), s.available_from);
+    return shut_.contains(s.id) || !keeps(s, begins, service_time(s, true, 1.0));
+  };
   const Station* nearest = &wanted;
   for (const Station& s : stations_) {
-    if (!shut_.contains(wanted.id) || shut_.contains(s.id)) continue;
-    const bool is_nearer =
-        shut_.contains(nearest->id) ||
-        distance(s.position, wanted.position) < distance(nearest->position, wanted.position);
+    if (!is_shut(wanted) || is_shut(s)) continue;
+    const bool is_nearer = is_shut(*nearest) || distance(s.position, wanted.position) <
+                                                    distance(nearest->position, wanted.position);
     if (is_nearer) nearest = &s;
   }
   return *nearest;
@@ -281,14 +308,15 @@ double SchedulerNode::done_s(const Member& m, Instant now) const {
 
 /// When a bay is free for one who is at a station then, as far as the station has said.
 double SchedulerNode::bay_free_s(const Station& at, double arrives_s) const {
+  const double there_s = std::max(arrives_s, at.available_from.base());
   const auto said = next_free_.find(at.id);
-  return said == next_free_.end() ? arrives_s : std::max(arrives_s, seconds(said->second).base());
+  return said == next_free_.end() ? there_s : std::max(there_s, seconds(said->second).base());
 }
 
 /// Done with its list, and served after those who wait there already.
 Survivor SchedulerNode::survivor(const Member& m, Instant now) const {
   Survivor s{.vehicle = m.vehicle,
-             .station = haven(m.station),
+             .station = haven(m.station, done_s(m, now)),
              .ready_s = std::max(seconds(now.time_since_epoch()), m.vehicle.available_from).base()};
   if (m.pieces.empty()) return s;
   s.vehicle.home = s.station.position;

@@ -86,6 +86,7 @@ Outbox SchedulerNode::step(const Inbox& inbox, Instant now) {
     wind_up(out);
     share_out(now, out);
     welcome(now, out);
+    close_stations(now, out);
     plan_for_failed_supply(now, out);
     if (phase_ == MissionPhase::flying) {
       for (Member& m : members_) direct(m, now, out);

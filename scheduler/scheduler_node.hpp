@@ -64,9 +64,9 @@ struct SchedulerSettings {
 /// An agent that joins late is not waited for. Once it is heard of, the sorties that nobody has
 /// begun are shared out anew over all, unless the others would be done as early without it.
 ///
-/// Where a bay or a station fails or comes to the end of its stock, what nobody has begun is
-/// planned anew for those that are left, be they in the plan or not. Whoever is to be served before
-/// more work is foreseen to wait behind the queue that its station tells.
+/// Where a bay or a station fails, closes or comes to the end of its stock, what nobody has begun
+/// is planned anew for those that are left, be they in the plan or not. Whoever is to be served
+/// before more work is foreseen to wait behind the queue that its station tells.
 ///
 /// An obstacle that an aircraft meets is told to all that still fly or will, by a new revision with
 /// the same work. From then on forecasts count the ways around it. Where it blocks a strip, the
@@ -218,8 +218,10 @@ class SchedulerNode {
   void cut_blocked(Member& m, std::uint32_t first, Outbox& out);
   Survivor survivor(const Member& m, Instant now) const;
   const Station& station(StationId id) const;
-  const Station& haven(const Station& wanted) const;
+  const Station& haven(const Station& wanted, double comes_s) const;
   std::vector<Station> open_stations() const;
+  void close_stations(Instant now, Outbox& out);
+  bool needs(const Member& m, StationId at) const;
   std::vector<CellRange> open_cells(const Member& m) const;
   void finish_if_done(Outbox& out);
   void report_state(Instant now, Outbox& out);

@@ -27,10 +27,13 @@ std::optional<ReturnPlan> quick_plan(const ReturnProblem& problem) {
   return *best;
 }
 
-double flight_s(const Itinerary& it) {
+/// When it lands for good, if it has its station for itself.
+double lands_s(Itinerary it, const Survivor& survivor) {
+  it.begins_s = survivor.ready_s;
+  const double wait_s = forecast({&it, 1}, {&survivor.station, 1}).queue_wait_s;
   const double air_s = std::accumulate(it.flights_s.begin(), it.flights_s.end(), 0.0);
   const double ground_s = std::accumulate(it.services_s.begin(), it.services_s.end(), 0.0);
-  return air_s + ground_s + it.last_spray_s + it.last_home_s;
+  return survivor.ready_s + (air_s + ground_s + it.last_spray_s + it.last_home_s) + wait_s;
 }
 
 /// The sorties under the numbers of the whole route.
@@ -110,7 +113,8 @@ std::optional<Planned> planned(const Desk& desk, std::size_t u, const Share& sha
   if (!plan) return std::nullopt;
   Itinerary flown = itinerary(survivor.vehicle.id, 0, *plan, FlightTimes{route, problem});
   swap_as_flown(std::vector<const ReturnProblem*>(plan->sorties.size(), &problem), *plan, flown);
-  if (!is_in_time(survivor.vehicle, survivor.ready_s + flight_s(flown))) return std::nullopt;
+  const double ends_s = lands_s(flown, survivor);
+  if (!is_in_time(survivor.vehicle, ends_s)) return std::nullopt;
   UavPlan uav{.vehicle = survivor.vehicle,
               .station = survivor.station,
               .strips = share.strips,
@@ -122,7 +126,7 @@ std::optional<Planned> planned(const Desk& desk, std::size_t u, const Share& sha
   uav.solution.plan = std::move(*plan);
   const auto station = static_cast<std::uint32_t>(desk.at[u]);
   return Planned{.addition = {.sorties = renumbered(orders(route, uav), desk.left.cells),
-                              .lands_s = survivor.ready_s + flight_s(flown),
+                              .lands_s = ends_s,
                               .station = survivor.station},
                  .list = sorties_of(problem.cells, uav.solution.plan.returns, station)};
 }

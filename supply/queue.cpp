@@ -191,17 +191,30 @@ std::uint32_t BayQueue::open_bays() const {
   return station_.bays - static_cast<std::uint32_t>(shut_.size());
 }
 
-bool BayQueue::lacks(const Visit& visit) const {
-  if (open_bays() == 0) return true;
+Duration BayQueue::service_of(const Visit& visit) const {
+  return duration(service_time(station_, visit.swap && has_pack(), fill_for(visit)));
+}
+
+/// When its service begins at the latest; earlier than the station opens: never.
+Instant BayQueue::last_begin(const Visit& visit) const {
+  if (!station_.available_until) return never;
+  const Instant last = instant(*station_.available_until) - service_of(visit);
+  return last < instant(station_.available_from) ? Instant::min() : last;
+}
+
+bool BayQueue::lacks(const Visit& visit, Instant now) const {
+  if (open_bays() == 0 || now > last_begin(visit)) return true;
   const bool wants = visit.swap || visit.fill > 0.0;
   return wants && !(visit.swap && has_pack()) && fill_for(visit) <= 0.0;
 }
 
 std::vector<Visit> BayQueue::advance(Instant now) {
   drop_expired(now);
+  advanced_ = now;
   std::vector<Visit> served;
+  if (now < instant(station_.available_from)) return served;
   for (Visit& visit : visits_) {
-    if (visit.bay != 0 || lacks(visit)) continue;
+    if (visit.bay != 0 || lacks(visit, now)) continue;
     const std::uint32_t bay = free_bay();
     if (bay == 0) break;
     visit.gives_swap = visit.swap && has_pack();
@@ -217,10 +230,18 @@ std::vector<Visit> BayQueue::advance(Instant now) {
   return served;
 }
 
+/// When the station opens for one who waits, or is too late for it.
+Instant BayQueue::next_change(const Visit& visit) const {
+  const Instant opens = instant(station_.available_from), last = last_begin(visit);
+  if (advanced_ < opens) return opens;
+  return last == never || advanced_ > last ? never : last + Duration{1};
+}
+
 Instant BayQueue::next_event() const {
   Instant next = never;
   for (const Visit& visit : visits_) {
     next = std::min(next, dropped_at(visit));
+    if (visit.bay == 0) next = std::min(next, next_change(visit));
     if (visit.bay != 0 && !visit.counted) next = std::min(next, visit.ready);
   }
   return next;
@@ -229,7 +250,7 @@ Instant BayQueue::next_event() const {
 Instant BayQueue::next_free(Instant now) const {
   std::vector<Instant> free;
   for (std::uint32_t bay = 1; bay <= station_.bays; ++bay) {
-    if (!shut_.contains(bay)) free.push_back(now);
+    if (!shut_.contains(bay)) free.push_back(std::max(now, instant(station_.available_from)));
   }
   if (free.empty()) return Instant{};
   std::size_t taken = 0;
@@ -237,7 +258,7 @@ Instant BayQueue::next_free(Instant now) const {
     if (v.bay != 0 && !shut_.contains(v.bay)) free[taken++] = std::max(now, v.ready);
   }
   for (const Visit& v : visits_) {
-    if (v.bay != 0 || lacks(v)) continue;
+    if (v.bay != 0 || lacks(v, now)) continue;
     *std::min_element(free.begin(), free.end()) += duration(service_time(station_, v.swap, v.fill));
   }
   return *std::min_element(free.begin(), free.end());

@@ -48,6 +48,8 @@ struct HandedOut {
 /// visit, of a finished one or of an earlier incarnation of an agent changes nothing. A holder that
 /// is heard again after its bay was freed has it back with the same token while nobody else has it.
 ///
+/// Services begin when the station is open and are done before it closes.
+///
 /// A stock of mix or packs may come to its end. The last of it is given to who is next, though it
 /// is less than claimed; after that `lacks` tells whom the station cannot help, and they are passed
 /// over. What a holder that fell silent was being given counts as gone.
@@ -76,8 +78,9 @@ class BayQueue {
   /// Bays that are not shut.
   std::uint32_t open_bays() const;
 
-  /// Whether the station has nothing left of what a waiting visit wants, or no bay for it.
-  bool lacks(const Visit& visit) const;
+  /// Whether the station has nothing left of what a waiting visit wants, no bay for it, or closes
+  /// before it can be served from `now` on.
+  bool lacks(const Visit& visit, Instant now) const;
 
   /// When one who comes now is expected to have a bay, if all who wait or are served take as long
   /// as what they claim; 0 where all bays are shut. Time O(visits * bays).
@@ -106,6 +109,9 @@ class BayQueue {
   Volume volume(const HandedOut& handed_out) const;
   bool has_pack() const;
   double fill_for(const Visit& visit) const;
+  Duration service_of(const Visit& visit) const;
+  Instant last_begin(const Visit& visit) const;
+  Instant next_change(const Visit& visit) const;
   bool is_present(const ServiceClaim& claim);
   Visit* visit_of(AgentId agent);
   Visit* revive(const ServiceClaim& claim, Instant now);
@@ -126,6 +132,7 @@ class BayQueue {
   HandedOut handed_out_;
   std::uint64_t last_token_ = 0;
   std::uint64_t changes_ = 0;
+  Instant advanced_{};  ///< When it was last.
 };
 
 }  // namespace furrow::supply

@@ -94,7 +94,7 @@ Outbox SupplyNode::step(const Inbox& inbox, Instant now) {
   }
   const std::vector<Visit> served = queue_.advance(now);
   for (const Visit& visit : queue_.waiting()) {
-    if (queue_.lacks(visit)) out.messages.push_back(refusal(visit, now));
+    if (queue_.lacks(visit, now)) out.messages.push_back(refusal(visit, now));
   }
   for (const Visit& visit : holders) out.messages.push_back(grant(visit));
   for (const Visit& visit : served) out.messages.push_back(grant(visit));

@@ -136,6 +136,8 @@ struct StationFigures {
   std::uint32_t id, swaps;
   double filled_l;
   std::vector<BayFigures> bays;
+  double available_from_s = 0;
+  std::optional<double> available_until_s{};
 };
 
 struct LogFigures {

@@ -200,6 +200,8 @@ Json json(const StationFigures& s) {
   return {{"id", s.id},
           {"swaps", s.swaps},
           {"filled_l", rounded(s.filled_l)},
+          {"available_from_s", rounded(s.available_from_s)},
+          {"available_until_s", s.available_until_s ? Json(rounded(*s.available_until_s)) : Json{}},
           {"bays", list<BayFigures>(s.bays, json)}};
 }
 

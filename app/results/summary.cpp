@@ -180,7 +180,13 @@ std::vector<StationFigures> station_figures(const MissionRecord& record, const F
                                             const std::vector<UavFigures>& uavs) {
   std::vector<StationFigures> stations;
   for (const Station& station : record.scenario.stations) {
-    StationFigures f{.id = number(station.id), .swaps = 0, .filled_l = 0, .bays = {}};
+    StationFigures f{.id = number(station.id),
+                     .swaps = 0,
+                     .filled_l = 0,
+                     .bays = {},
+                     .available_from_s = station.available_from.base(),
+                     .available_until_s = {}};
+    if (station.available_until) f.available_until_s = station.available_until->base();
     for (std::uint32_t bay = 1; bay <= station.bays; ++bay) f.bays.push_back({bay, 0, 0});
     for (std::size_t i = 0; i < uavs.size(); ++i) {
       const double tank_l = record.plan.uavs[i].vehicle.tank.base();

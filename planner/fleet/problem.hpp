@@ -30,6 +30,8 @@ struct Depot {
   double service_s = 0.0;
   double fill_s = 0.0;  ///< Besides, for a whole tank; for a part of one so much of it.
   double swap_s = 0.0;  ///< For a pack, meanwhile. Bounds leave it out.
+  /// No service begins before the one or ends after the other. Bounds leave both out.
+  double opens_s = 0.0, closes_s = std::numeric_limits<double>::infinity();
 };
 
 struct FleetProblem {

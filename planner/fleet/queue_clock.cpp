@@ -137,7 +137,7 @@ QueueClock::Ended QueueClock::ended(const Sortie& last, const Ended& so_far, dou
   const double home_s = problem_.ends_sprayed ? problem_.path.back_m(depot, last.to_m) /
                                                     problem_.fliers[last.flier].ferry_mps
                                               : 0.0;
-  return {lands_s, lands_s - home_s, so_far.wait_s, so_far.is_carried};
+  return {lands_s, lands_s - home_s, so_far.wait_s, so_far.late_s, so_far.is_carried};
 }
 
 void QueueClock::fly(std::uint32_t i, std::uint32_t from_depot, double at_s) {
@@ -165,9 +165,10 @@ void QueueClock::land(const Arrival& now) {
   const Sortie& next = now_.sorties[now.sortie + 1];
   auto& bays = free_s_[landed.depot];
   double& bay_s = *std::min_element(bays.begin(), bays.end());
-  const double starts_s = std::max(now.at_s, bay_s);
+  const double starts_s = std::max({now.at_s, bay_s, problem_.depots[landed.depot].opens_s});
   ended.wait_s += starts_s - now.at_s;
   bay_s = starts_s + service_s(problem_, landed.depot, next, swaps(landed, next));
+  ended.late_s += std::max(0.0, bay_s - problem_.depots[landed.depot].closes_s);
   fly(now.sortie + 1, landed.depot, bay_s);
 }
 
@@ -178,7 +179,7 @@ Finish QueueClock::sum() const {
     finish.makespan_s = std::max(finish.makespan_s, ended.ends_s);
     finish.total_s += ended.lands_s;
     finish.wait_s += ended.wait_s;
-    finish.late_s += std::max(0.0, ended.lands_s - problem_.fliers[u].until_s);
+    finish.late_s += ended.late_s + std::max(0.0, ended.lands_s - problem_.fliers[u].until_s);
     finish.is_carried &= ended.is_carried;
   }
   return finish;
@@ -188,7 +189,7 @@ Finish QueueClock::finish(std::span<const Sortie> sorties) {
   arrange(sorties);
   choose();
   for (std::size_t d = 0; d < free_s_.size(); ++d) {
-    if (is_busy_[d] != 0) free_s_[d].assign(free_s_[d].size(), 0.0);
+    if (is_busy_[d] != 0) free_s_[d].assign(free_s_[d].size(), problem_.depots[d].opens_s);
   }
   flown_count_ = 0;
   arrivals_.clear();

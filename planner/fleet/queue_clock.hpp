@@ -20,18 +20,17 @@ struct Finish {
   double makespan_s;  ///< See FleetProblem::ends_sprayed.
   double total_s;     ///< Sum of all aircraft's last landings.
   double wait_s;
-  double late_s;           ///< By which last landings are after the fliers' ends, in all.
+  double late_s;  ///< By which last landings and services are after what they end by, in all.
   bool is_carried = true;  ///< No flight takes more than a tank or a pack.
 };
 
-/// Whether a plan is to be preferred: less time landed too late in all,
-/// then the makespan, then the total.
+/// Whether a plan is to be preferred: less time too late in all, then the makespan, then the total.
 bool is_better(const Finish& a, const Finish& b);
 
 /// Flies plans from time 0. Each depot serves first come first served, those who come at the same
-/// instant by number, in the bay that is free first. Aircraft leave the start at once, land after
-/// every sortie and are serviced before the next. Keeps its working space, and how long the
-/// flights last seen take: for the inside of a search.
+/// instant by number, in the bay that is free first, from when it opens on. Aircraft leave the
+/// start at once, land after every sortie and are serviced before the next. Keeps its working
+/// space, and how long the flights last seen take: for the inside of a search.
 ///
 /// Time O(sorties * log aircraft); where a plan was kept, O(sorties) with a small factor and the
 /// rest for those alone who fly otherwise than in it or meet such aircraft at a depot.
@@ -65,6 +64,7 @@ class QueueClock {
   struct Ended {
     double lands_s = 0.0, ends_s = 0.0;  ///< The second counts for the makespan.
     double wait_s = 0.0;
+    double late_s = 0.0;  ///< Its services.
     bool is_carried = true;
   };
   /// A plan, flier by flier.

@@ -25,7 +25,8 @@
 //              height where that is less
 //          L25 over terrain, no flown track enters a keep-out volume by more than the bias of the
 //              aircraft's fixes
-// Windows  L26 no aircraft is in the air outside the time that it is available for
+// Windows  L27 no bay is given before its station opens, or for longer than it is open
+//          L26 no aircraft is in the air outside the time that it is available for
 // Apart    L24 two aircraft in the air are never nearer to each other than the separation
 // Senders  L21 nobody unknown is spoken of: the other laws go on without what such messages say
 // Log      L17 every sender's log is complete and in order, so equal runs have equal digests

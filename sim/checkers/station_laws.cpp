@@ -74,6 +74,7 @@ class StationLaws final : public Checker {
              fmt::format("station {} gave token {} after {}", number(grant.station), grant.token,
                          *books.tokens.rbegin()));
     }
+    check_hours(grant, at);
     check_bay(books, grant, at);
     check_turn(books, grant, at);
     const auto claim = books.claims.find(grant.agent);
@@ -100,6 +101,21 @@ class StationLaws final : public Checker {
       report("L12", at,
              fmt::format("station {} gave {} packs and {:.2f} l, more than it had", number(id),
                          books.swaps, books.filled_l));
+    }
+  }
+
+  void check_hours(const ServiceGrant& grant, Instant at) {
+    for (const Station& station : facts_.stations) {
+      if (station.id != grant.station) continue;
+      const bool is_early = grant.starts < instant(station.available_from);
+      const bool is_late =
+          station.available_until && grant.ready > instant(*station.available_until);
+      if (!is_early && !is_late) continue;
+      report("L27", at,
+             fmt::format("bay {} of station {} given to {} from {:.1f} to {:.1f} s, {} its hours",
+                         grant.bay, number(station.id), text(node(grant.agent)),
+                         seconds(grant.starts).base(), seconds(grant.ready).base(),
+                         is_early ? "before" : "after"));
     }
   }
 

@@ -46,6 +46,13 @@ class Faults(Furrow):
         for uav in result["uavs"]:
             self.assertGreater(len(uav["sorties"]), 0)
 
+    def test_stations_with_hours_are_flown_by_sim_and_run_alike(self):
+        result, _ = self.flown_alike("station_hours.yaml")
+        west, east = result["stations"]
+        self.assertEqual((west["available_from_s"], east["available_until_s"]), (300, 900))
+        for station in result["stations"]:
+            self.assertGreater(station["filled_l"], 0)
+
     def test_a_tree_that_no_map_shows_is_flown_around_by_sim_and_run_alike(self):
         for scenario in ("surprise_tree.yaml", "surprise_hill.yaml", "orchard_grid.yaml"):
             _, events = self.flown_alike(scenario)

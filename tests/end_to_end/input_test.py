@@ -7,7 +7,7 @@ from furrow import GARDEN, ROOT, Furrow, furrow, main
 class Scenarios(Furrow):
     ELSEWHERE = {"alley_blocked", "block_1000ha", "bottleneck_bay", "empty_stock", "fleet_20",
                  "fleet_200", "late_joiner", "lost_agent", "mixed_fleet", "orchard_grid",
-                 "station_down", "surprise_hill", "surprise_tree", "template", "time_windows",
+                 "station_down", "station_hours", "surprise_hill", "surprise_tree", "template", "time_windows",
                  "two_stations", "wang2017_field_a", "wang2017_field_a_single"}  # flown by other tests, or large
 
     def test_scenarios_of_the_repository_meet_what_they_expect(self):

@@ -92,7 +92,7 @@ TEST_CASE("forecast: the queue clock finds the wait that the forecast finds", "[
   const Itinerary third = flight(3, {100, 100}, {60, 60}, 90);
   std::vector fleet{flight(1, {100, 100}, {60, 60}), flight(2, {90, 130}, {60, 60}),
                     flight(3, {}, {})};
-  QueueClock clock{1, fleet};
+  QueueClock clock{station(1, 1), fleet};
   const double others_s = clock.queue_wait_without_s(2);
   const double all_s = clock.queue_wait_s(2, third);
   const std::vector stations{station(1, 1)};
@@ -131,6 +131,31 @@ TEST_CASE("forecast: a fleet changed one by one ends as when all are flown again
     fleet = changed;
     REQUIRE(ends.spray_ends_s() == again.spray_ends_s);
   }
+}
+
+TEST_CASE("forecast: a station serves from when it opens, and services beyond its end are too late",
+          "[scheduler]") {
+  // Both come before it opens at 200: 1 is served 200..260, 2 260..320. Of 400 s of which it is
+  // open for 200, plans keep 8: the end is 392. With an end at 300, 4 s are kept: 320 is 24 late.
+  const std::vector fleet{flight(1, {100}, {60}), flight(2, {110}, {60})};
+  std::vector stations{station(1, 1)};
+  stations[0].available_from = seconds(200);
+  stations[0].available_until = seconds(400);
+  const Forecast f = forecast(fleet, stations);
+  CHECK(f.visits[0][0].starts_s == 200);
+  CHECK(f.visits[1][0].starts_s == 260);
+  CHECK(f.queue_wait_s == 100 + 150);
+  CHECK(f.late_s == 0);
+  const std::vector vehicles{vehicle(1), vehicle(2)};
+  CHECK(is_in_time(vehicles, f));
+  QueueClock clock{stations[0], fleet};
+  CHECK(clock.queue_wait_s(1, fleet[1]) == 250);
+
+  stations[0].available_until = seconds(300);
+  const Forecast late = forecast(fleet, stations);
+  CHECK(late.late_s == Approx(24));
+  CHECK(late.makespan_s == f.makespan_s);
+  CHECK_FALSE(is_in_time(vehicles, late));
 }
 
 }  // namespace

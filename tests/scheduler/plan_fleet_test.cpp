@@ -300,5 +300,47 @@ TEST_CASE("plan_fleet: each place of a field in reach of some station is enough"
   CHECK(beyond.error().fault == PlanFault::out_of_reach);
 }
 
+// Services of a plan that begin before a station opens, or end after plans have them done there.
+std::size_t outside_hours(const FleetPlan& plan, const std::vector<Station>& stations) {
+  std::size_t outside = 0;
+  for (const UavPlan& uav : plan.uavs) {
+    for (std::size_t n = 0; n < uav.visits.size(); ++n) {
+      const Station& at = stations.at(number(landing(uav, n).id) - 1);
+      const auto until = planned_until(at);
+      outside += uav.visits[n].starts_s < at.available_from.base() ||
+                 (until && uav.visits[n].ready_s > until->base());
+    }
+  }
+  return outside;
+}
+
+TEST_CASE("plan_fleet: aircraft are served within the hours of stations", "[scheduler]") {
+  FleetProblem p = problem(60, 400, 2);
+  p.solver.returns = ReturnStrategy::joint;
+  p.stations.push_back(station(2, 1, at_m(60, 0)));
+  const auto free = plan_fleet(p);
+  REQUIRE(free);
+  const Seconds half = seconds(0.5 * free->makespan_s);
+  p.stations[0].available_from = p.stations[1].available_from = half;
+  p.stations[1].available_until = half + seconds(100);
+  CHECK(outside_hours(*free, p.stations) > 0);
+  const auto plan = plan_fleet(p);
+  REQUIRE(plan);
+  CHECK(outside_hours(*plan, p.stations) == 0);
+  CHECK(plan->lower_bound_s <= plan->makespan_s);
+}
+
+TEST_CASE("plan_fleet: services that fit no station's hours are refused with the station",
+          "[scheduler]") {
+  // 60 rows of 400 m are 24 km, a tank lasts for 2.7 km: who flies alone comes back after 900 s.
+  FleetProblem p = problem(60, 400, 1);
+  p.stations[0].available_until = seconds(300);
+  const auto plan = plan_fleet(p);
+  REQUIRE_FALSE(plan);
+  CHECK(plan.error().fault == PlanFault::hours_too_short);
+  CHECK(plan.error().at == p.stations[0].position);
+  CHECK(plan.error().detail.find("it closes at 300.0 s") != std::string::npos);
+}
+
 }  // namespace
 }  // namespace furrow::scheduler

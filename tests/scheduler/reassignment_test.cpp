@@ -169,5 +169,17 @@ TEST_CASE("reassignment: who joins after a long pause is given its share all the
   CHECK(desk.last.at(AgentId{3}).sorties.size() == 1);
 }
 
+TEST_CASE("reassignment: work that a station closes before goes to one that is open",
+          "[scheduler]") {
+  Station east = station(2, 1, at_m(12, 0));
+  east.available_until = furrow::seconds(3.0);
+  Desk desk{to_the_east(east, station(1))};
+  desk.step({}, at_s(2));
+  CHECK(desk.last.empty());
+  for (const int t : {3, 4}) desk.step({}, at_s(t));
+  CHECK(std::count(desk.kinds.begin(), desk.kinds.end(), "station_closed") == 1);
+  check_sent_to_station_1(desk, east.id);
+}
+
 }  // namespace
 }  // namespace furrow::scheduler

@@ -240,7 +240,7 @@ TEST_CASE("queue: the last of the mix goes to who is next, and after that it is 
   REQUIRE(first.size() == 1);
   CHECK(first[0].gives_fill == 0.5);
   CHECK(queue.filled() == litres(0.0));  // not before it is done
-  CHECK_FALSE(queue.lacks(queue.waiting()[0]));
+  CHECK_FALSE(queue.lacks(queue.waiting()[0], at_s(2)));
   queue.hear(with(claim(1, 0), ClaimStatus::in_bay, 1), at_s(42));
   for (const auto& c : {claim(2, 1), claim(3, 2)}) queue.hear(c, at_s(42));
   queue.hear(with(claim(1, 0), ClaimStatus::released, 1), at_s(42));
@@ -252,11 +252,11 @@ TEST_CASE("queue: the last of the mix goes to who is next, and after that it is 
   CHECK(second[0].gives_fill == Approx(0.3));
   CHECK(second[0].ready == at_s(74));
   REQUIRE(queue.waiting().size() == 1);
-  CHECK(queue.lacks(queue.waiting()[0]));
+  CHECK(queue.lacks(queue.waiting()[0], at_s(42)));
 
   // Who leaves before it is filled leaves the mix to the others.
   queue.hear(with(claim(2, 1), ClaimStatus::released, 2), at_s(43));
-  CHECK_FALSE(queue.lacks(queue.waiting()[0]));
+  CHECK_FALSE(queue.lacks(queue.waiting()[0], at_s(43)));
 }
 
 TEST_CASE("queue: without packs those who want mix as well are given mix, the others nothing",
@@ -274,7 +274,7 @@ TEST_CASE("queue: without packs those who want mix as well are given mix, the ot
   CHECK(served[0].agent == AgentId{1});
   CHECK_FALSE(served[0].gives_swap);
   CHECK(served[0].gives_fill == 0.5);
-  CHECK(queue.lacks(queue.waiting()[0]));
+  CHECK(queue.lacks(queue.waiting()[0], at_s(1)));
 }
 
 TEST_CASE("queue: a bay that is shut is given to nobody more, and without bays all is lacking",
@@ -287,12 +287,46 @@ TEST_CASE("queue: a bay that is shut is given to nobody more, and without bays a
   queue.hear(claim(3, 1), at_s(1));
   CHECK(queue.advance(at_s(1)).at(0).bay == 2);
   CHECK(queue.in_bay().size() == 2);  // who is in it stays
-  CHECK_FALSE(queue.lacks(queue.waiting().at(0)));
+  CHECK_FALSE(queue.lacks(queue.waiting().at(0), at_s(1)));
   queue.hear(with(claim(1, 0), ClaimStatus::released, 1), at_s(2));
   CHECK(queue.advance(at_s(2)).empty());
   queue.shut(2);
   CHECK(queue.open_bays() == 0);
-  CHECK(queue.lacks(queue.waiting().at(0)));
+  CHECK(queue.lacks(queue.waiting().at(0), at_s(2)));
+}
+
+TEST_CASE(
+    "queue: nobody is served before the station opens, and who would be served beyond its end "
+    "is lacking",
+    "[supply]") {
+  Station hours = station(1);
+  hours.available_from = furrow::seconds(10.0);
+  hours.available_until = furrow::seconds(100.0);
+  BayQueue queue{hours, {.lease = seconds{100}}};
+  for (const auto& c : {claim(1, 0), claim(2, 1)}) queue.hear(c, at_s(1));
+  CHECK(queue.advance(at_s(1)).empty());
+  CHECK(queue.next_event() == at_s(10));
+  CHECK_FALSE(queue.lacks(queue.waiting()[0], at_s(1)));
+  // Both wait for 40 s of mix each: the bay is free at 10 + 40 + 40.
+  CHECK(queue.next_free(at_s(1)) == at_s(90));
+
+  REQUIRE(queue.advance(at_s(10)).size() == 1);
+  // The second takes 40 s too: it begins at 60 s at the latest.
+  CHECK_FALSE(queue.lacks(queue.waiting()[0], at_s(60)));
+  CHECK(queue.lacks(queue.waiting()[0], at_s(61)));
+  queue.advance(at_s(50));
+  queue.hear(with(claim(1, 0), ClaimStatus::in_bay, 1), at_s(50));
+  CHECK(queue.next_event() == at_s(60) + Duration{1});
+  queue.hear(with(claim(1, 0), ClaimStatus::released, 1), at_s(61));
+  CHECK(queue.advance(at_s(61)).empty());
+}
+
+TEST_CASE("queue: a service may end as the station closes", "[supply]") {
+  Station hours = station(1);
+  hours.available_until = furrow::seconds(41.0);
+  BayQueue queue{hours, terms};
+  queue.hear(claim(1, 0), at_s(1));
+  CHECK(queue.advance(at_s(1)).size() == 1);  // half a tank takes 40 s
 }
 
 }  // namespace

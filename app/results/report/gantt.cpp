@@ -27,6 +27,7 @@ struct Row {
   std::string label;
   std::vector<Bar> bars;
   std::optional<double> planned_end_s, lost_s;
+  std::optional<double> opens_s{}, closes_s{};  ///< Of a bay that serves nobody else.
 };
 
 std::string_view words(Phase phase) {
@@ -91,7 +92,9 @@ std::vector<Row> bay_rows(const Result& result, const Colours& colours) {
       Row row{.label = fmt::format("Station {} bay {}", station.id, bay.bay),
               .bars = {},
               .planned_end_s = {},
-              .lost_s = {}};
+              .lost_s = {},
+              .opens_s = station.available_from_s,
+              .closes_s = station.available_until_s};
       for (std::size_t i = 0; i < result.uavs.size(); ++i) {
         for (const SortieFigures& s : result.uavs[i].sorties) {
           if (s.station != station.id || s.bay != bay.bay) continue;
@@ -125,9 +128,19 @@ void draw_axis(Svg& svg, const Scale& scale, double height) {
   svg.text({6, height - bottom + 15}, "minutes", {.size = 10, .fill = faint_ink});
 }
 
+// The time in which a bay serves nobody.
+void draw_closed(Svg& svg, const Scale& scale, double from_s, double to_s, double y) {
+  if (from_s >= std::min(to_s, scale.end_s)) return;
+  const double x = scale.x(from_s);
+  svg.rect({x, y}, scale.x(std::min(to_s, scale.end_s)) - x, scale.row_height - 2,
+           {.fill = rule_line, .opacity = 0.6}, 0, "closed");
+}
+
 void draw_row(Svg& svg, const Scale& scale, const Row& row, double y) {
   const double height = scale.row_height;
   svg.text({6, y + height / 2 + 4}, row.label, {.size = 11, .fill = ink});
+  draw_closed(svg, scale, 0, row.opens_s.value_or(0), y);
+  if (row.closes_s) draw_closed(svg, scale, *row.closes_s, scale.end_s, y);
   for (const Bar& b : row.bars) {
     const double x = scale.x(b.from_s), wide = std::max(scale.x(b.to_s) - x, 0.6);
     const double tall = (height - 3) * b.share;
@@ -181,7 +194,7 @@ std::string picture(const std::vector<Row>& rows, const Scale& scale, const Flee
   return svg.markup();
 }
 
-std::string legend(bool is_survey) {
+std::string legend(bool is_survey, bool closes) {
   const auto key = [](std::string_view style, std::string_view words) {
     return fmt::format("<li><i class=\"key\" style=\"{}\"></i>{}</li>", style, words);
   };
@@ -191,6 +204,7 @@ std::string legend(bool is_survey) {
          key("background:#0072b2;opacity:.55;height:5px", "flying out or back") +
          key(fmt::format("background:{}", waiting), "waiting for a bay") +
          key(fmt::format("background:{}", serving), "in a bay") +
+         (closes ? key(fmt::format("background:{}", rule_line), "station closed") : "") +
          key(fmt::format("background:{}", alarm), "hovering: no grant, no clear way, or paused") +
          "<li><i class=\"key diamond\"></i>planned end of work</li></ul>";
 }
@@ -212,7 +226,10 @@ std::string gantt_figure(const Flown& flown, const Result& result, const Colours
     figure += picture({begin, begin + static_cast<std::ptrdiff_t>(count)}, scale, result.fleet,
                       result.mode != Mode::plan);
   }
-  return figure + legend(result.survey.has_value());
+  const bool closes = std::any_of(rows.begin(), rows.end(), [](const Row& r) {
+    return r.opens_s.value_or(0) > 0 || r.closes_s;
+  });
+  return figure + legend(result.survey.has_value(), closes);
 }
 
 }  // namespace furrow::app

@@ -14,12 +14,13 @@ bool same_kind(const Vehicle& a, const Vehicle& b) {
 }
 
 // Empty for one that is there all the time.
-std::string window(const Vehicle& v) {
+template <class T>
+std::string window(const T& of) {
   std::string words;
-  if (v.available_from > Seconds{}) {
-    words += fmt::format(", from {:g} min", v.available_from.base() / 60);
+  if (of.available_from > Seconds{}) {
+    words += fmt::format(", from {:g} min", of.available_from.base() / 60);
   }
-  if (v.available_until) words += fmt::format(", until {:g} min", v.available_until->base() / 60);
+  if (of.available_until) words += fmt::format(", until {:g} min", of.available_until->base() / 60);
   return words;
 }
 
@@ -79,10 +80,10 @@ void add_stations(HtmlTable& table, const std::vector<Station>& stations) {
   for (const Station& station : stations) {
     table.row({fmt::format("Station {}", number(station.id)),
                fmt::format("at ({:.1f}, {:.1f}) m, bays: {}, battery swap {:g} s, filling {:g} to "
-                           "{:g} s",
+                           "{:g} s{}",
                            station.position.x.base(), station.position.y.base(), station.bays,
                            station.battery_swap.base(), station.fill_base.base(),
-                           station.fill_full.base())});
+                           station.fill_full.base(), window(station))});
   }
 }
 

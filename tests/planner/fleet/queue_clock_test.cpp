@@ -84,5 +84,25 @@ TEST_CASE("a pack is swapped where it does not last for the next flight") {
   CHECK(makespan_s(156.3) == 30.0 + 10.0 + 50.0 + 40.0 + 70.0);
 }
 
+TEST_CASE("services begin when a depot is open, and those that end later are told") {
+  // A row of 200 m in two sorties of 20 s, from its begin and back to it: 100 m out, 100 m home,
+  // 100 m out again, at 5 m/s. Home at 40 s, served 100..130 from the opening on, sprayed at 130 +
+  // 20 + 20 = 170, home at 210. An end at 120 is 10 s too early.
+  FleetProblem p{StripPath{std::vector<StraightStrip>{{at_m(0, 0), at_m(200, 0)}}}, {}, {}};
+  p.depots.push_back({at_m(0, 0), 1, 30, 0});
+  p.fliers.push_back({.tank_m = 100, .spray_mps = 5, .ferry_mps = 5, .start = at_m(0, 0)});
+  const FleetSorties sorties{{0, 100, 0, 0}, {100, 200, 0, 0}};
+  CHECK(QueueClock{p}.finish(sorties).total_s == Approx(40 + 30 + 80));
+  p.depots[0].opens_s = 100;
+  const Finish waits = QueueClock{p}.finish(sorties);
+  CHECK(waits.total_s == Approx(100 + 30 + 80));
+  CHECK(waits.wait_s == Approx(60));
+  CHECK(waits.late_s == 0);
+  p.depots[0].closes_s = 120;
+  const Finish late = QueueClock{p}.finish(sorties);
+  CHECK(late.late_s == Approx(10));
+  CHECK(is_better(waits, late));
+}
+
 }  // namespace
 }  // namespace furrow::planner::fleet

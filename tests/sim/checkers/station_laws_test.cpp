@@ -98,5 +98,22 @@ TEST_CASE("laws: L10 a bay held by the dead, L12 a refill counted twice", "[sim]
   }
 }
 
+TEST_CASE("laws: L27 a bay given before its station opens or for longer than it is open", "[sim]") {
+  // The service takes from 10.1 to 70.1 s.
+  const auto broken_within = [](double from_s, double until_s) {
+    Facts f = facts();
+    f.stations[0].available_from = seconds(from_s);
+    f.stations[0].available_until = seconds(until_s);
+    Script s = clean_run();
+    s.say(node(one), 10, claim(one, ClaimStatus::waiting, 0, 10));
+    s.say(node(StationId{1}), 10.1, bay_one(one, 1, 10.1));
+    s.say(scheduler_node(), 20, finished(4, 0));
+    return broken_laws(f, s);
+  };
+  CHECK(broken_within(10.1, 70.1) == Laws{});
+  CHECK(broken_within(10.2, 80) == Laws{"L27"});
+  CHECK(broken_within(0, 70) == Laws{"L27"});
+}
+
 }  // namespace
 }  // namespace furrow::sim
