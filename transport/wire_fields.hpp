@@ -4,6 +4,7 @@
 #include "transport/wire.hpp"
 
 #include <cmath>
+#include <optional>
 #include <type_traits>
 
 namespace furrow::transport {
@@ -27,6 +28,10 @@ struct Encode {
     } else {
       field = value;
     }
+  }
+  template <class Core, class Wire>
+  void positive(const std::optional<Core>& value, Wire& field) {
+    field = value ? value->base() : 0;
   }
   template <class Core, class Wire>
   void bounded(Core value, Wire& field, Core, Core) {
@@ -56,6 +61,12 @@ struct Decode {
     } else {
       value = field;
     }
+  }
+  /// 0: none.
+  template <class Core, class Wire>
+  void positive(std::optional<Core>& value, const Wire& field) {
+    valid = valid && std::isfinite(field) && field >= 0;
+    value = field > 0 ? std::optional{Core::from_base(field)} : std::nullopt;
   }
   template <class Core, class Wire>
   void bounded(Core& value, const Wire& field, Core low, Core high) {
@@ -104,6 +115,8 @@ void fields(D& d, Seen<D, AgentInfo>& m, fleet::v1::AgentInfo& w) {
   d(m.vehicle.acceleration_limit, w.acceleration_limit_mps2());
   d(m.vehicle.gnss.sigma, w.gnss_sigma_m());
   d(m.vehicle.gnss.bias, w.gnss_bias_m());
+  d(m.vehicle.available_from, w.available_from_s());
+  d.positive(m.vehicle.available_until, w.available_until_s());
 }
 
 template <class D>

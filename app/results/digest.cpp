@@ -43,6 +43,9 @@ class Hash {
     all(v.id, v.home, v.swath, v.spray_speed, v.ferry_speed, v.spray_endurance, v.flight_endurance,
         v.battery_reserve, v.tank, v.min_turn_radius, v.acceleration_limit, v.gnss.sigma,
         v.gnss.bias);
+    if (v.available_from > Seconds{} || v.available_until) {
+      all(v.available_from, v.available_until.value_or(Seconds{}));
+    }
   }
   void operator()(const Piece& p) {
     all(p.cells, p.entry, p.from, p.to);

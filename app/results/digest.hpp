@@ -8,8 +8,7 @@
 namespace furrow::app {
 
 /// 64-bit FNV-1a over every field of every message in order, as 16 hexadecimal digits. Boots are
-/// left out: each process draws its own, and what is left is what a seed determines. So are the
-/// windows of vehicles, which the wire does not carry.
+/// left out: each process draws its own, and what is left is what a seed determines.
 ///
 /// Source: Fowler, Noll, Vo 1991.
 std::string digest(const std::vector<Envelope>& log);

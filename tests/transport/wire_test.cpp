@@ -28,7 +28,9 @@ Vehicle vehicle() {
           .tank = litres(10),
           .min_turn_radius = metres(4),
           .acceleration_limit = metres_per_second2(3.5),
-          .gnss = {.sigma = metres(0.02), .bias = metres(0.01)}};
+          .gnss = {.sigma = metres(0.02), .bias = metres(0.01)},
+          .available_from = seconds(600),
+          .available_until = seconds(700)};
 }
 
 SortieReport sortie_report() {
@@ -218,6 +220,22 @@ TEST_CASE("wire: values of an envelope and of a body are those that were sent", 
   CHECK(state.position == at_m(8, 9));
   CHECK(state.last_grant == 11);
   CHECK(state.last_closed == 10);
+}
+
+TEST_CASE("wire: the window of an aircraft crosses, and so does that it has none", "[transport]") {
+  Envelope info = samples()[0];
+  auto sample = encoded<0>(info, BootId{9});
+  const auto window = decoded<0>(sample);
+  REQUIRE(window);
+  CHECK(std::get<AgentInfo>(window->body).vehicle.available_from == seconds(600));
+  CHECK(std::get<AgentInfo>(window->body).vehicle.available_until == seconds(700));
+  std::get<AgentInfo>(info.body).vehicle.available_until.reset();
+  sample = encoded<0>(info, BootId{9});
+  const auto endless = decoded<0>(sample);
+  REQUIRE(endless);
+  CHECK_FALSE(std::get<AgentInfo>(endless->body).vehicle.available_until);
+  sample.available_until_s(-1);
+  CHECK_FALSE(decoded<0>(sample));
 }
 
 TEST_CASE("wire: a value outside the contract invalidates its sample", "[transport]") {

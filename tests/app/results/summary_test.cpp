@@ -122,6 +122,19 @@ TEST_CASE("summary: boots do not change the digest, and every other field does",
   CHECK(summary(record).log.digest != before);
 }
 
+TEST_CASE("summary: the digest tells the windows of aircraft", "[app]") {
+  MissionRecord record = small_flight();
+  record.log.push_back(
+      {node(AgentId{1}), 1, Instant{}, AgentInfo{AgentId{1}, BootId{1}, record.scenario.uavs[0]}});
+  Vehicle& uav = std::get<AgentInfo>(record.log.back().body).vehicle;
+  const std::string always = summary(record).log.digest;
+  uav.available_from = seconds(60);
+  const std::string later = summary(record).log.digest;
+  uav.available_until = seconds(600);
+  CHECK(later != always);
+  CHECK(summary(record).log.digest != later);
+}
+
 TEST_CASE("summary: an expectation is met within its bounds and missed outside", "[app]") {
   MissionRecord record = small_plan();
   record.scenario.expectations = {{"completed", 1.0, 1.0},    {"missed_m2", {}, 0.0},
