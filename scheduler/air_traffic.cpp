@@ -113,7 +113,7 @@ std::vector<Piece> SchedulerNode::work_ahead(const Member& m) const {
       if (!left) continue;
       const Piece* before = i > 0 && *left == piece.cells.first ? &sortie.pieces[i - 1] : nullptr;
       const bool is_before_way =
-          before != nullptr && planner::are_apart(*before, piece) &&
+          before != nullptr && planner::are_apart(*before, piece, swath_) &&
           distance(m.place.position, before->exit) < distance(m.place.position, piece.entry);
       return is_before_way ? std::vector<Piece>{} : up_to_way(sortie, i);
     }
@@ -135,7 +135,7 @@ std::vector<Piece> SchedulerNode::up_to_way(const SortieOrder& sortie, std::size
   std::vector<Piece> pieces;
   for (std::size_t i = first; i < sortie.pieces.size(); ++i) {
     Piece piece = sortie.pieces[i];
-    if (i > first && planner::are_apart(sortie.pieces[i - 1], piece)) break;
+    if (i > first && planner::are_apart(sortie.pieces[i - 1], piece, swath_)) break;
     const auto left = first_left(piece);
     if (!left) continue;
     const bool is_open = ledger_.state(*left) == CellState::open;

@@ -16,9 +16,9 @@ planner::PointM plane(FieldPoint p) { return {p.x.base(), p.y.base()}; }
 }  // namespace
 
 void SchedulerNode::find_near_work() {
-  Length swath = members_.empty() ? Length{} : members_.front().vehicle.swath;
-  for (const Member& m : members_) swath = std::min(swath, m.vehicle.swath);
-  near_m_ = near_work(*settings_.separation, swath).base();
+  swath_ = members_.empty() ? Length{} : members_.front().vehicle.swath;
+  for (const Member& m : members_) swath_ = std::min(swath_, m.vehicle.swath);
+  near_m_ = near_work(*settings_.separation, swath_).base();
   is_near_others_ = strips_near_others(settings_.plan.route, metres(near_m_));
 }
 
@@ -42,7 +42,7 @@ bool SchedulerNode::may_begin(const Member& m, const SortieOrder& sortie, std::s
                               CellRange cells, Instant now) const {
   if (!is_shared(cells)) return true;
   const bool comes_by_way =
-      piece == 0 || planner::are_apart(sortie.pieces[piece - 1], sortie.pieces[piece]);
+      piece == 0 || planner::are_apart(sortie.pieces[piece - 1], sortie.pieces[piece], swath_);
   const bool flies_there = comes_by_way ? m.phase != Phase::hold : !is_at_work(m.phase);
   if (flies_there) return comes_by_way || ledger_.windows(m.agent).empty();
   return comes_soon_to_next(m) && is_clear(m, sortie.pieces[piece], cells, now);

@@ -235,6 +235,7 @@ class SchedulerNode {
   Ledger ledger_;
   std::optional<Airspace> airspace_{};
   double near_m_ = 0.0;                       ///< Nearer to each other, work is for one at a time.
+  Length swath_{};                            ///< The narrowest of the fleet.
   std::vector<bool> is_near_others_{};        ///< By strip; empty where nobody keeps a distance.
   std::vector<Member> members_;               ///< In order of agent id.
   std::vector<Station> stations_{};           ///< Where sorties can end, bays as they are left.

@@ -274,11 +274,11 @@ double work_end_m(const SortieRoute& route, std::size_t piece) {
   return p.has_tail() ? p.close_m : route.cell_m(piece, p.piece.cells.count - 1);
 }
 
-void note_ways(SortieRoute& route) {
+void note_ways(SortieRoute& route, Length swath) {
   const std::size_t home = route.pieces.size();
   for (std::size_t i = 0; i <= home; ++i) {
-    const bool is_way =
-        i == 0 || i == home || planner::are_apart(route.pieces[i - 1].piece, route.pieces[i].piece);
+    const bool is_way = i == 0 || i == home ||
+                        planner::are_apart(route.pieces[i - 1].piece, route.pieces[i].piece, swath);
     if (!is_way) continue;
     route.ways.push_back({i, i == 0 ? 0.0 : work_end_m(route, i - 1),
                           i == home ? route.path.length_m() : route.pieces[i].open_m});
@@ -375,7 +375,7 @@ SortieRoute sortie_route(Xy from_m, std::span<const Piece> pieces, Xy to_m, cons
   route.path.finish();
   route.heights.move([&](double leg_m) { return route.path.along_m(leg_m); });
   settle(route);
-  note_ways(route);
+  note_ways(route, v.swath);
   if (lay.blocked_leg_m()) route.blocked_m = route.path.along_m(*lay.blocked_leg_m());
   return route;
 }

@@ -20,6 +20,20 @@ FieldPoint edge_after(const Strip& strip, std::uint32_t cells) {
   return between(strip.begin, strip.end, static_cast<double>(cells) / strip.cells.count);
 }
 
+// The furthest that a way leads away from the line of a piece.
+double aside_m(const Piece& piece, std::span<const FieldPoint> way) {
+  const FieldVector along = piece.exit - piece.entry;
+  const double length_m = distance(piece.entry, piece.exit).base();
+  double most_m = 0.0;
+  if (length_m <= 0.0) return most_m;
+  for (const FieldPoint at : way) {
+    const FieldVector off = at - piece.exit;
+    const double cross_m2 = along.x.base() * off.y.base() - along.y.base() * off.x.base();
+    most_m = std::max(most_m, std::abs(cross_m2) / length_m);
+  }
+  return most_m;
+}
+
 }  // namespace
 
 Strip end_strip(CellRange cells, FieldPoint begin, FieldPoint end,
@@ -100,13 +114,13 @@ std::vector<double> cell_lengths_m(const Route& route) {
 
 bool is_high(std::span<const FieldPoint> way) { return way_length(way) > longest_low_way; }
 
-bool are_apart(const Piece& before, const Piece& after) {
+bool are_apart(const Piece& before, const Piece& after, Length swath) {
   if (after.entry == after.exit) return false;
   std::vector<FieldPoint> way{before.exit};
   way.insert(way.end(), after.approach.begin(), after.approach.end());
   way.push_back(after.entry);
   constexpr Length beyond_neighbours = metres(10);
-  return way_length(way) > beyond_neighbours;
+  return way_length(way) > beyond_neighbours || aside_m(before, way) > 1.5 * swath.base();
 }
 
 Length approach_length(const Strip& before, const Strip& strip) {

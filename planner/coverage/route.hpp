@@ -51,8 +51,9 @@ inline constexpr Length longest_low_way = metres(20);
 bool is_high(std::span<const FieldPoint> way);
 
 /// Whether the way from one piece to the next of a sortie leads beyond the neighbouring strip: it
-/// is longer than 10 m. Never between places to visit.
-bool are_apart(const Piece& before, const Piece& after);
+/// is longer than 10 m, or leads away from the line of the piece by more than one and a half
+/// swaths, so past the end of a row that another may be at. Never between places to visit.
+bool are_apart(const Piece& before, const Piece& after, Length swath);
 
 /// Whether the strip is sprayed beyond the centres of its end cells.
 inline bool sprays_ends(const Strip& strip) {
