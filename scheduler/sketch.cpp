@@ -1,6 +1,7 @@
 #include "scheduler/sketch.hpp"
 
 #include "planner/at_once.hpp"
+#include "planner/survey/rounds.hpp"
 #include "scheduler/fleet_ferries.hpp"
 
 #include <fmt/format.h>
@@ -83,6 +84,57 @@ std::optional<PlanError> too_near_to_obstacle(FieldPoint at, const FleetProblem&
   return std::nullopt;
 }
 
+/// The survey's way points in that order.
+Sketch survey_along(const FleetProblem& problem, const planner::FerryMap& ferries,
+                    std::span<const std::uint32_t> order) {
+  planner::SurveyRule rule{.field = problem.field, .apart = corner_cut(problem), .speed = {}};
+  for (const Vehicle& v : whole_fleet(problem)) {
+    rule.speed = std::max(rule.speed, v.ferry_speed);
+    rule.turn_radius = std::max(rule.turn_radius, v.min_turn_radius);
+  }
+  Sketch made{.coverage = {.route = planner::survey_route(*problem.survey, rule, ferries, order),
+                           .direction_deg = 0,
+                           .leaps = {},
+                           .sweep = {}},
+              .lengths = {},
+              .draft = {}};
+  made.lengths = route_lengths(made.coverage.route, problem.stations);
+  made.draft = draft(made.coverage.route, made.lengths, problem.vehicles, problem.stations);
+  return made;
+}
+
+/// The way points round after round of the aircraft, the last visited as early as can be.
+std::vector<std::uint32_t> order_of_rounds(const FleetProblem& problem,
+                                           const planner::FerryMap& ferries,
+                                           std::span<const std::uint32_t> tour) {
+  const std::vector<FieldPoint>& places = problem.survey->way_points;
+  planner::VisitProblem visits{.places = static_cast<std::uint32_t>(places.size()),
+                               .between_m = {},
+                               .back_m = std::vector(places.size(), 0.0),
+                               .visitors = {}};
+  for (const FieldPoint from : places) {
+    for (const FieldPoint to : places) visits.between_m.push_back(ferries.length(from, to).base());
+  }
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    Length nearest = ferries.length(places[i], problem.stations.front().position);
+    for (const Station& s : problem.stations) {
+      nearest = std::min(nearest, ferries.length(places[i], s.position));
+    }
+    visits.back_m[i] = nearest.base();
+  }
+  for (const Vehicle& v : problem.vehicles) {
+    planner::VisitProblem::Visitor visitor{
+        .out_m = {}, .mps = v.ferry_speed.base(), .ready_s = v.available_from.base()};
+    for (const FieldPoint to : places) visitor.out_m.push_back(ferries.length(v.home, to).base());
+    visits.visitors.push_back(std::move(visitor));
+  }
+  std::vector<std::uint32_t> order;
+  for (const auto& round : planner::rounds(visits, tour)) {
+    order.insert(order.end(), round.begin(), round.end());
+  }
+  return order;
+}
+
 Expected<Sketch, PlanError> survey_sketch(const FleetProblem& problem,
                                           const planner::FerryMap& ferries) {
   for (const FieldPoint at : problem.survey->way_points) {
@@ -95,21 +147,15 @@ Expected<Sketch, PlanError> survey_sketch(const FleetProblem& problem,
                     at.x.base(), at.y.base()),
         at}};
   }
-  planner::SurveyRule rule{.field = problem.field, .apart = corner_cut(problem), .speed = {}};
-  for (const Vehicle& v : whole_fleet(problem)) {
-    rule.speed = std::max(rule.speed, v.ferry_speed);
-    rule.turn_radius = std::max(rule.turn_radius, v.min_turn_radius);
-  }
-  Sketch made{.coverage = {.route = planner::survey_route(*problem.survey, rule, ferries,
-                                                          problem.vehicles.front().home),
-                           .direction_deg = 0,
-                           .leaps = {},
-                           .sweep = {}},
-              .lengths = {},
-              .draft = {}};
-  made.lengths = route_lengths(made.coverage.route, problem.stations);
-  made.draft = draft(made.coverage.route, made.lengths, problem.vehicles, problem.stations);
-  return made;
+  const std::vector<std::uint32_t> tour =
+      planner::survey_tour(*problem.survey, ferries, problem.vehicles.front().home);
+  Sketch best = survey_along(problem, ferries, tour);
+  if (problem.vehicles.size() == 1) return best;
+  const std::vector<std::uint32_t> order = order_of_rounds(problem, ferries, tour);
+  if (order == tour) return best;
+  Sketch other = survey_along(problem, ferries, order);
+  const bool is_better = worth(other.draft.forecast) < worth(best.draft.forecast);
+  return is_better ? other : best;
 }
 
 }  // namespace

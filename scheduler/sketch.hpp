@@ -13,7 +13,7 @@ struct Sketch {
 };
 
 /// Of the directions that the problem leaves open, the sketch with the smallest forecast makespan.
-/// A survey's is its tour.
+/// A survey's is its tour, or rounds of its aircraft one after another if those are done earlier.
 /// @error  out_of_reach  A strip or way point is cut off from the stations, or too near to an
 ///                       obstacle.
 /// @error  any other     As ferry_map and planner::cover.

@@ -112,18 +112,26 @@ class Legs {
 
 }  // namespace
 
-Route survey_route(const SurveySettings& survey, const SurveyRule& rule, const FerryMap& ferries,
-                   FieldPoint from) {
-  require(!survey.way_points.empty(), "a survey has a way point");
+std::vector<std::uint32_t> survey_tour(const SurveySettings& survey, const FerryMap& ferries,
+                                       FieldPoint from) {
   const auto count = static_cast<std::uint32_t>(survey.way_points.size());
   const auto at = [&](std::uint32_t i) { return i == 0 ? from : survey.way_points[i - 1]; };
-  const auto order = tour(count + 1, [&](std::uint32_t i, std::uint32_t j) {
+  auto order = tour(count + 1, [&](std::uint32_t i, std::uint32_t j) {
     return ferries.length(at(i), at(j)).base();
   });
+  order.erase(order.begin());
+  for (std::uint32_t& place : order) --place;
+  return order;
+}
+
+Route survey_route(const SurveySettings& survey, const SurveyRule& rule, const FerryMap& ferries,
+                   std::span<const std::uint32_t> order) {
+  require(!survey.way_points.empty() && order.size() == survey.way_points.size(),
+          "a survey has a way point, and every one its place");
   Route route{.cell = {}, .centers = {}, .strips = {}, .missed = {}, .ferries = ferries};
   const Legs legs{survey, rule, ferries};
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const FieldPoint to = at(order[i + 1]);
+  for (std::uint32_t i = 0; i < order.size(); ++i) {
+    const FieldPoint to = survey.way_points[order[i]];
     Strip visit = centre_strip({i, 1}, to, to, false);
     if (i > 0) {
       Leg leg = legs.leg(route.centers.back(), to, i);

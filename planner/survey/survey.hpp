@@ -5,6 +5,8 @@
 #include "planner/coverage/route.hpp"
 #include "planner/routes/plan_route.hpp"
 
+#include <cstdint>
+#include <span>
 #include <vector>
 
 namespace furrow::planner {
@@ -23,8 +25,12 @@ struct SurveyRule {
   Length turn_radius{};  ///< The largest of the fleet's, >= 0.
 };
 
-/// The way points as a route to be shared: in the order of a short tour from `from`, each with the
-/// way that leads to it.
+/// The way points in the order of a short tour from `from`, by their places among them.
+/// @pre `ferries` reaches all way points.
+std::vector<std::uint32_t> survey_tour(const SurveySettings& survey, const FerryMap& ferries,
+                                       FieldPoint from);
+
+/// The way points as a route to be shared: in the given order, each with the way that leads to it.
 ///
 /// Over terrain such a way is searched in the air (see `plan_route`), as level as aircraft fly at
 /// full speed, or else as steep as they may. It keeps the clearance, or the height of way points
@@ -32,8 +38,9 @@ struct SurveyRule {
 /// shortest over the land, at work height above the ground.
 ///
 /// @param ferries  Of the fleet, its relief flown at the survey's height.
+/// @param order    Every way point once, by its place.
 /// @pre `ferries` reaches all way points.
 Route survey_route(const SurveySettings& survey, const SurveyRule& rule, const FerryMap& ferries,
-                   FieldPoint from);
+                   std::span<const std::uint32_t> order);
 
 }  // namespace furrow::planner

@@ -40,10 +40,15 @@ double length_m(FieldPoint from, const Strip& visit) {
   return sum_m + distance(from, visit.begin).base();
 }
 
+Route along_tour(const SurveySettings& survey, const SurveyRule& by, const FerryMap& ferries,
+                 FieldPoint from) {
+  return survey_route(survey, by, ferries, survey_tour(survey, ferries, from));
+}
+
 TEST_CASE("On level land way points are visited by the shortest ways, each once") {
   const FieldPoint station = at_m(0, 0);
   const SurveySettings survey{.way_points = {at_m(300, 300), at_m(100, 100), at_m(200, 200)}};
-  const Route route = survey_route(survey, rule, open(square, station), station);
+  const Route route = along_tour(survey, rule, open(square, station), station);
   CHECK(is_survey(route));
   CHECK(route.centers == std::vector{at_m(100, 100), at_m(200, 200), at_m(300, 300)});
   REQUIRE(route.strips.size() == 3);
@@ -69,7 +74,7 @@ TEST_CASE("Ways go around holes") {
   const FerryMap ferries = open(holed, station);
   for (const bool is_level : {true, false}) {
     const Route route =
-        survey_route(survey, around, is_level ? ferries : ferries.over_ground(hill()), station);
+        along_tour(survey, around, is_level ? ferries : ferries.over_ground(hill()), station);
     // By two corners: 2 sqrt(50^2 + 50^2) + 100 = 241.4 m.
     CHECK(length_m(at_m(100, 200), route.strips[1]) == Approx(241.4).margin(0.1));
   }
@@ -83,7 +88,7 @@ TEST_CASE("Over a hill the way is searched in the air and keeps the clearance") 
     const SurveySettings survey{.way_points = {at_m(60, 200), at_m(340, 210)},
                                 .height = metres(30),
                                 .search = {.planner = planner, .evaluations = 5000, .seed = 1}};
-    const Route route = survey_route(survey, rule, ferries, station);
+    const Route route = along_tour(survey, rule, ferries, station);
     const Strip& visit = route.strips[1];
     INFO(name(planner));
     REQUIRE(!visit.approach.empty());
