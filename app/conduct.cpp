@@ -37,6 +37,12 @@ std::vector<sim::Violation> judged(const MissionRecord& record, const Flight& fl
   return sim::violations(facts, record.log, flight.log.ended);
 }
 
+// Neither what every flight of the route leaves dry, nor what cells given up hold of obstacles.
+double not_sprayed_m2(const CoverageFigures& c) {
+  const double more_m2 = c.missed_m2 - c.unrouted_m2;
+  return c.abandoned_m2 > 0 ? std::min(more_m2, c.abandoned_m2) : more_m2;
+}
+
 // What keeps a mission from exit code 0, in sentences.
 std::vector<std::string> shortcomings(const Result& result, const std::vector<Envelope>& log) {
   std::vector<std::string> all;
@@ -47,7 +53,7 @@ std::vector<std::string> shortcomings(const Result& result, const std::vector<En
                               result.survey->way_points));
   } else if (!result.completed) {
     all.push_back(fmt::format("the mission is not completed: {:.0f} m2 are not sprayed",
-                              result.coverage.missed_m2 - result.coverage.unrouted_m2));
+                              not_sprayed_m2(result.coverage)));
   }
   for (const Envelope& envelope : log) {
     const auto* const event = std::get_if<Event>(&envelope.body);
@@ -90,8 +96,8 @@ std::vector<std::string> losses(const std::vector<Envelope>& log) {
   return all;
 }
 
-// Why cells were given up, each reason once.
-std::vector<std::string> given_up(const std::vector<Envelope>& log) {
+// Why cells or way points were given up, each reason once.
+std::vector<std::string> given_up(const std::vector<Envelope>& log, const char* what) {
   struct Times {
     double first_s;
     int runs = 0;
@@ -109,8 +115,8 @@ std::vector<std::string> given_up(const std::vector<Envelope>& log) {
   std::vector<std::string> all;
   all.reserve(by_reason.size());
   for (const auto& [reason, times] : by_reason) {
-    all.push_back(fmt::format("given up since {:.1f} s, {} {} of cells: {}", times.first_s,
-                              times.runs, times.runs == 1 ? "run" : "runs", reason));
+    all.push_back(fmt::format("given up since {:.1f} s, {} {} of {}: {}", times.first_s, times.runs,
+                              times.runs == 1 ? "run" : "runs", what, reason));
   }
   return all;
 }
@@ -129,7 +135,8 @@ int report(const Options& options, const MissionRecord& record) {
   }
   for (const std::string& sentence : result.warnings) tell(sentence);
   for (const std::string& sentence : losses(record.log)) tell(sentence);
-  for (const std::string& sentence : given_up(record.log)) tell(sentence);
+  const char* given = result.survey ? "way points" : "cells";
+  for (const std::string& sentence : given_up(record.log, given)) tell(sentence);
   const auto lacking = shortcomings(result, record.log);
   for (const std::string& sentence : lacking) tell(sentence);
   return lacking.empty() ? Exit::done : Exit::not_met;

@@ -1,3 +1,4 @@
+#include "core/spelling.hpp"
 #include "exchange/formats/vector_layers.hpp"
 #include "exchange/gdal.hpp"
 #include "exchange/land.hpp"
@@ -34,12 +35,29 @@ std::string feature_text(OGRFeature& feature, std::size_t number) {
 bool is_above_0(double x) { return x > 0; }
 bool is_at_least_0(double x) { return x >= 0; }
 
+// A property that no obstacle has, but for a slip of the pen: other properties may be anybody's.
+std::optional<Fault> misspelt(OGRFeature& feature) {
+  constexpr std::size_t slips = 2;
+  for (int i = 0; i < feature.GetFieldCount(); ++i) {
+    const std::string_view name = feature.GetFieldDefnRef(i)->GetNameRef();
+    if (!feature.IsFieldSetAndNotNull(i)) continue;
+    for (const std::string_view key : {"radius_m", "seen_within_m", "appears_s"}) {
+      const std::size_t distance = edit_distance(name.substr(0, 100), key);
+      if (distance == 0 || distance > slips) continue;
+      return Fault{fmt::format("properties must be spelt as {} is", key), shown(std::string{name})};
+    }
+  }
+  return std::nullopt;
+}
+
 // A number that a feature may state.
 Expected<std::optional<double>, Fault> stated(OGRFeature& feature, const char* key,
                                               const char* rule, bool (*holds)(double)) {
   const std::string text = text_of(feature, key);
   if (text.empty()) return std::optional<double>{};
-  const auto value = number(text);
+  const int at = feature.GetFieldIndex(key);
+  const bool is_truth = feature.GetFieldDefnRef(at)->GetSubType() == OFSTBoolean;
+  const auto value = is_truth ? std::nullopt : number(text);
   if (value && holds(*value)) return value;
   return Unexpected{Fault{fmt::format("{} must be a number {}", key, rule), shown(text)}};
 }
@@ -115,6 +133,7 @@ Expected<Obstacle, Fault> obstacle(OGRFeature& feature, const Places& places,
 
 Expected<FileObstacle, Fault> file_obstacle(OGRFeature& feature, const Places& places,
                                             std::size_t number_in_file) {
+  if (auto fault = misspelt(feature)) return Unexpected{std::move(*fault)};
   auto what = obstacle(feature, places, number_in_file);
   if (!what) return Unexpected{what.error()};
   FileObstacle made{std::move(*what), feature_text(feature, number_in_file)};

@@ -174,7 +174,7 @@ Length stopping_way(const Vehicle& v) {
          v.ferry_speed * v.ferry_speed / (2.0 * planned_acceleration(v));
 }
 
-void check_sight(const SurpriseEntry& entry, const Surprise& surprise, const Draft& draft,
+void check_sight(const ObstacleEntry& entry, const Surprise& surprise, const Draft& draft,
                  Length safety) {
   Length least{};
   for (const Vehicle& v : draft.scenario.uavs) least = std::max(least, stopping_way(v) + safety);
@@ -187,12 +187,32 @@ void check_sight(const SurpriseEntry& entry, const Surprise& surprise, const Dra
                 entry.value);
 }
 
+// Obstacles that the plan knows, where nobody could stand.
+void check_obstacles(const Draft& draft) {
+  const Scenario& s = draft.scenario;
+  const Length safety = s.survey && s.terrain ? Length{} : planner::safety_of(s.coverage);
+  for (std::size_t i = 0; i < draft.obstacles.size(); ++i) {
+    const ObstacleEntry& entry = draft.obstacles[i];
+    if (!entry.at.has(entry.place_key)) continue;
+    for (const Station& station : s.stations) {
+      const Length away = -depth_in(s.field.obstacles[i], station.position);
+      if (away >= safety) continue;
+      const std::string what =
+          away > Length{} ? fmt::format("{:.10g} m from", away.base()) : "inside";
+      entry.at.fail(entry.place_key, "must leave every station free by the safety distance",
+                    fmt::format("{}station {} is {} obstacle {}, {:.10g} m are kept",
+                                entry.value.empty() ? "" : entry.value + ": ", number(station.id),
+                                what, s.field.obstacles[i].id, safety.base()));
+    }
+  }
+}
+
 // Obstacles that the plan does not know.
 void check_surprises(const Draft& draft) {
   const Scenario& s = draft.scenario;
   const auto& avoidance = planner::avoidance_of(s.coverage);
   for (std::size_t i = 0; i < draft.surprises.size(); ++i) {
-    const SurpriseEntry& entry = draft.surprises[i];
+    const ObstacleEntry& entry = draft.surprises[i];
     if (!avoidance) {
       entry.at.fail(entry.sight_key,
                     "needs field.coverage.avoidance: how aircraft keep away from it", entry.value);
@@ -221,6 +241,7 @@ void check_together(const Section& root, const Draft& draft) {
   if (field && fleet) check_overlap(root.section("field").section("coverage"), draft);
   if (field && fleet) check_cells(draft);
   if (field && fleet && draft.supply_in_order) check_reach(draft);
+  if (field && draft.supply_in_order) check_obstacles(draft);
   if (field && fleet && draft.supply_in_order) check_surprises(draft);
   if (fleet && draft.faults_in_order) check_agent_faults(draft);
   if (draft.supply_in_order) check_hours(draft);

@@ -75,7 +75,8 @@ class Reading {
       if (auto surprise = read_surprise(s, made)) {
         add(std::move(*surprise), {s, "seen_within_m", "center_m", {}});
       } else {
-        obstacles().push_back(std::move(made));
+        const char* place_key = made.outline.empty() ? "center_m" : "boundary_m";
+        add(std::move(made), {s, "seen_within_m", place_key, {}});
       }
     }
   }
@@ -95,7 +96,7 @@ class Reading {
       return;
     }
     for (exchange::FileObstacle& found : *read) take(root, *file, std::move(found));
-    const std::size_t all = obstacles().size() + draft_.surprises.size();
+    const std::size_t all = draft_.obstacles.size() + draft_.surprises.size();
     if (all > most_entries) {
       root.fail("obstacles_file",
                 fmt::format("must leave at most {} obstacles in all", most_entries),
@@ -104,9 +105,12 @@ class Reading {
   }
 
  private:
-  std::vector<Obstacle>& obstacles() { return draft_.scenario.field.obstacles; }
+  void add(Obstacle obstacle, ObstacleEntry entry) {
+    draft_.scenario.field.obstacles.push_back(std::move(obstacle));
+    draft_.obstacles.push_back(std::move(entry));
+  }
 
-  void add(Surprise surprise, SurpriseEntry entry) {
+  void add(Surprise surprise, ObstacleEntry entry) {
     draft_.scenario.surprises.push_back(std::move(surprise));
     draft_.surprises.push_back(std::move(entry));
   }
@@ -119,14 +123,16 @@ class Reading {
                 value.empty() ? where : fmt::format("{}: {}", where, value));
     };
     if (!ids_.insert(o.id).second) fail("must hold ids that are unique among the obstacles", o.id);
-    if (o.radius > metres(furthest_m)) fail("must hold obstacles of at most 10000 m radius");
+    if (o.radius > metres(furthest_m)) fail("must hold radius_m of at most 10000");
     if (!o.outline.empty()) {
       if (const auto fault = outline_fault(o.outline)) {
         fail("must hold rings that do not cross themselves", *fault);
       }
     }
     if (found.appears && !found.seen_within) fail("must hold appears_s beside seen_within_m only");
-    if (!found.seen_within) return obstacles().push_back(std::move(o));
+    if (!found.seen_within) {
+      return add(std::move(o), {root, "obstacles_file", "obstacles_file", where});
+    }
     if (!o.outline.empty()) fail("must hold seen_within_m of points only");
     const double appears_s = found.appears.value_or(Seconds{}).base();
     if (*found.seen_within > metres(furthest_m)) fail("must hold seen_within_m of at most 10000");

@@ -321,7 +321,7 @@ std::vector<Expectation> read_expectations(const Section& s) {
   for (const char* key :
        {"missed_m2", "covered_m2", "repeated_m2", "outside_m2", "makespan_s", "gap", "non_spray_s",
         "queue_wait_s", "route_m", "ferry_m", "flown_outside_m", "outside_at_work_m",
-        "cross_track_rms_m", "encounters"}) {
+        "cross_track_rms_m", "encounters", "clearance_share"}) {
     const Section figure = s.section(key);
     const Expectation e{.key = key,
                         .min = figure.optional_number("min", from_to(0, 1e12), "no limit"),

@@ -9,8 +9,8 @@
 
 namespace furrow::mission {
 
-/// Where an obstacle that the plan does not know is told of.
-struct SurpriseEntry {
+/// Where an obstacle is told of.
+struct ObstacleEntry {
   Section at;
   std::string sight_key, place_key;  ///< Of `at`: how far it is seen, and where it stands.
   std::string value;                 ///< What it is of a file; empty: the value at the key.
@@ -24,7 +24,8 @@ struct Draft {
   std::vector<std::size_t> fleet_of;  ///< For each UAV, the index of its entry.
   std::vector<bool> has_start;        ///< For each entry, whether it says where its UAVs start.
   std::vector<Section> faults;
-  std::vector<SurpriseEntry> surprises;  ///< In the scenario's order.
+  std::vector<ObstacleEntry> obstacles;  ///< That the plan knows, in the field's order.
+  std::vector<ObstacleEntry> surprises;  ///< In the scenario's order.
   /// Whether each key of the part is in order by itself.
   bool field_in_order, supply_in_order, fleet_in_order, faults_in_order;
 };

@@ -92,15 +92,13 @@ std::optional<PlanError> low_ceiling(const planner::Relief& relief) {
 }  // namespace
 
 Expected<planner::FerryMap, PlanError> ferry_map(const FleetProblem& problem) {
-  // Rounding at the corners around a circle must not keep strips' ends out of the ferries' land.
-  constexpr double kept_safety = 0.96;
   Field field = problem.field;
   planner::FerryRule rule{.corner_cut = corner_cut(problem)};
   std::visit([&](const auto& settings) { rule.margin = settings.margin; }, problem.coverage);
   if (const auto* swath = std::get_if<planner::SwathSettings>(&problem.coverage)) {
     rule.hole_buffer = swath->hole_buffer;
   }
-  rule.safety = kept_safety * safety_of(problem);
+  rule.safety = safety_of(problem);
   std::vector<FieldPoint> stands;
   const auto add = [&](FieldPoint at) {
     if (std::find(stands.begin(), stands.end(), at) == stands.end()) stands.push_back(at);

@@ -15,7 +15,7 @@ struct Figure {
 };
 
 // What a scenario can expect.
-std::array<Figure, 15> figures(const Result& r) {
+std::array<Figure, 16> figures(const Result& r) {
   return {{{"completed", r.completed ? 1.0 : 0.0},
            {"covered_m2", r.coverage.covered_m2},
            {"missed_m2", r.coverage.missed_m2},
@@ -30,7 +30,9 @@ std::array<Figure, 15> figures(const Result& r) {
            {"flown_outside_m", r.fleet.flown_outside_m},
            {"outside_at_work_m", r.fleet.outside_at_work_m},
            {"cross_track_rms_m", r.deviation.truth.rms_m},
-           {"encounters", r.separation.encounters}}};
+           {"encounters", r.separation.encounters},
+           {"clearance_share",
+            r.clearance ? std::optional{r.clearance->share} : std::optional<double>{}}}};
 }
 
 std::string required(const mission::Expectation& e) {

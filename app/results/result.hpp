@@ -168,6 +168,15 @@ struct SeparationFigures {
   std::optional<double> closest_m, first_s;  ///< None without one.
 };
 
+/// How near an aircraft came to an obstacle.
+struct ClearanceFigures {
+  std::uint32_t uav;
+  std::string obstacle;
+  double least_m;  ///< From its edge.
+  double share;    ///< Of the safety distance.
+  double at_s;
+};
+
 /// What the operator wanted at the end.
 struct OperatorFigures {
   std::string level;  ///< "fly" unless ordered otherwise.
@@ -215,6 +224,7 @@ struct Result {
   std::vector<FaultFigures> faults;
   OperatorFigures ordered;
   SeparationFigures separation;
+  std::optional<ClearanceFigures> clearance{};  ///< None without obstacles or tracks.
   std::vector<ExpectationFigures> expectations;
 };
 

@@ -52,7 +52,7 @@ Json json(const planner::AvoidanceRecord& r, const MetFigures& met) {
                {"crowds", r.planned.crowds},
                {"detours", r.planned.detours},
                {"closed", r.planned.closed},
-               {"apart", r.planned.apart},
+               {"blocked", r.planned.blocked},
                {"exact", r.planned.exact},
                {"iterations", r.planned.iterations},
                {"dubins_turns", r.turns},
@@ -224,6 +224,14 @@ Json json(const SeparationFigures& s) {
           {"first_s", rounded(s.first_s)}};
 }
 
+Json json(const ClearanceFigures& c) {
+  return {{"uav", c.uav},
+          {"obstacle", c.obstacle},
+          {"least_m", rounded(c.least_m)},
+          {"share", rounded(c.share)},
+          {"at_s", rounded(c.at_s)}};
+}
+
 Json json(const ExpectationFigures& e) {
   Json all{{"key", e.key}, {"met", e.met}, {"value", rounded(e.value)}};
   if (e.min) all["min"] = rounded(e.min);
@@ -268,6 +276,7 @@ std::string result_json(const Result& r) {
            {"timing", timing(r)},
            {"faults", list<FaultFigures>(r.faults, json)},
            {"separation", json(r.separation)},
+           {"clearance", r.clearance ? json(*r.clearance) : Json{}},
            {"operator", {{"level", r.ordered.level}, {"taken_out", r.ordered.taken_out}}},
            {"expectations", list<ExpectationFigures>(r.expectations, json)}};
   if (r.survey) all["survey"] = json(*r.survey);

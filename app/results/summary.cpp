@@ -12,6 +12,7 @@
 #include "app/results/ways.hpp"
 #include "mission/polygon.hpp"
 #include "scheduler/shared_air.hpp"
+#include "sim/checkers/clearance.hpp"
 #include "sim/checkers/separation.hpp"
 
 #include <algorithm>
@@ -226,6 +227,22 @@ SeparationFigures separation_figures(const MissionRecord& record, const Flown& f
   return f;
 }
 
+std::optional<ClearanceFigures> clearance_figures(const MissionRecord& record) {
+  const sim::Facts facts{.field = record.scenario.field,
+                         .stations = {},
+                         .plan = record.plan,
+                         .claim_lease = {},
+                         .whole = false,
+                         .surprises = record.scenario.surprises};
+  const auto least = sim::least_clearance(facts, record.log);
+  if (!least) return std::nullopt;
+  return ClearanceFigures{.uav = number(least->agent),
+                          .obstacle = least->obstacle,
+                          .least_m = least->away.base(),
+                          .share = least->away / record.plan.safety,
+                          .at_s = seconds(least->at).base()};
+}
+
 // By aircraft.
 std::vector<MissionWays> ways_of(const MissionRecord& record, const Flown& flown) {
   const planner::Route& route = record.plan.route;
@@ -313,6 +330,7 @@ Result summary(const MissionRecord& record, const Flown& flown) {
   r.real_time_factor = record.timing.run_wall_s > 0 ? flown.ended_s / record.timing.run_wall_s : 0;
   r.faults = fault_figures(record, flown);
   r.separation = separation_figures(record, flown);
+  r.clearance = clearance_figures(record);
   r.ordered = ordered_figures(flown);
   r.expectations = judged(record.scenario.expectations, r);
   return r;

@@ -107,6 +107,13 @@ std::string separation_row(const SeparationFigures& s) {
       s.distance_m, s.encounters, s.near_s, *s.closest_m, *s.first_s);
 }
 
+std::string clearance_row(const ClearanceFigures& c) {
+  return cut(
+      fmt::format("nearest to an obstacle: {:.2f} m, {:.0f} % of the safety distance, UAV {} "
+                  "at {}",
+                  c.least_m, 100 * c.share, c.uav, c.obstacle));
+}
+
 }  // namespace
 
 std::string summary_table(const Result& r) {
@@ -120,6 +127,7 @@ std::string summary_table(const Result& r) {
   table += makespan_rows(r) + returns_row(r.solver);
   if (r.solver.yardsticks) table += yardstick_rows(*r.solver.yardsticks);
   table += separation_row(r.separation);
+  if (r.clearance) table += clearance_row(*r.clearance);
   for (const ExpectationFigures& e : r.expectations) {
     if (!e.met) table += cut("missed: " + e.message);
   }

@@ -74,7 +74,12 @@ class Line {
       const PathM path = tangent_path(there, corner_rad);
       const auto met = room_.entered(path);
       if (met.empty()) {
-        if (!room_.is_clear_of_barriers(path) || !room_.is_inside(path)) return std::nullopt;
+        const AlongLine reach = reach_of(targets);
+        const bool is_clear =
+            room_.is_clear_of_barriers(path) &&
+            room_.is_clear_of_barriers({along(std::min(low_m, reach.low_m)), along(low_m)}) &&
+            room_.is_clear_of_barriers({along(high_m), along(std::max(high_m, reach.high_m))});
+        if (!is_clear || !room_.is_inside(path)) return std::nullopt;
         return CrowdOption{Conduct::sprayed, sides, low_m,
                            high_m,           there, planner::length_m(there) - (high_m - low_m)};
       }
@@ -90,7 +95,7 @@ class Line {
   }
 
   // The pass ends where the last turn away is possible, and begins again after the first turn back.
-  CrowdOption apart(const std::vector<TargetM>& targets) const {
+  CrowdOption blocked(const std::vector<TargetM>& targets) const {
     AlongLine l{INFINITY, -INFINITY}, r = l;
     for (const TargetM& t : targets) {
       const AlongLine left = span(t, Side::left), right = span(t, Side::right);
@@ -99,10 +104,45 @@ class Line {
     }
     const double low_m = std::clamp(std::max(l.low_m, r.low_m), 0.0, length_m());
     const double high_m = std::clamp(std::min(l.high_m, r.high_m), low_m, length_m());
-    return {Conduct::apart, {}, low_m, high_m, {}, 0.0};
+    const AlongLine reach = reach_of(targets);
+    return {Conduct::blocked,
+            {},
+            clear_until(std::min(low_m, reach.low_m), low_m),
+            clear_until(std::max(high_m, reach.high_m), high_m),
+            {},
+            0.0};
   }
 
  private:
+  PointM along(double at_m) const { return pass_.a + (at_m / length_m()) * (pass_.b - pass_.a); }
+
+  // Beyond this the line is clear of `targets`.
+  AlongLine reach_of(const std::vector<TargetM>& targets) const {
+    AlongLine reach{INFINITY, -INFINITY};
+    for (const TargetM& t : targets) {
+      for (const CircleM& c : t.circles) {
+        const double at_m = local(c.center).x;
+        reach = {std::min(reach.low_m, at_m - c.radius_m),
+                 std::max(reach.high_m, at_m + c.radius_m)};
+      }
+    }
+    return {std::max(0.0, reach.low_m), std::min(length_m(), reach.high_m)};
+  }
+
+  // How far from a clear place towards another the line is clear: beside an oblique edge it is too
+  // near for longer than at the edge's corners.
+  double clear_until(double from_m, double to_m) const {
+    constexpr double step_m = 0.1;
+    const double way_m = to_m - from_m, steps = std::ceil(std::abs(way_m) / step_m);
+    double clear_m = from_m;
+    for (double k = 1; k <= steps; ++k) {
+      const double next_m = from_m + k / steps * way_m;
+      if (!room_.is_clear({along(clear_m), along(next_m)})) break;
+      clear_m = next_m;
+    }
+    return clear_m;
+  }
+
   static Side side_beside(const std::vector<PassedCircle>& around, double x) {
     return std::min_element(around.begin(), around.end(),
                             [x](const PassedCircle& a, const PassedCircle& b) {
@@ -145,7 +185,7 @@ std::vector<CrowdOption> options_of(const Line& line, const std::vector<TargetM>
   for (const auto& sides : side_choices(targets.size())) {
     if (auto option = line.around(targets, sides)) options.push_back(std::move(*option));
   }
-  if (options.empty()) return {line.apart(targets)};
+  if (options.empty()) return {line.blocked(targets)};
   std::stable_sort(options.begin(), options.end(), [](const CrowdOption& a, const CrowdOption& b) {
     return a.extra_m < b.extra_m;
   });

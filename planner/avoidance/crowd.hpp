@@ -30,16 +30,16 @@ std::vector<TargetM> targets_of(const PassM& pass, const Room& room);
 enum class Conduct {
   sprayed,  ///< Flown around with the valve open.
   closed,   ///< Flown around with the valve closed: the pass is split, and joined by its detour.
-  apart,    ///< Not flown around: the pass ends before and begins anew behind it.
+  blocked,  ///< Not flown around: the pass ends before and begins anew behind it.
 };
 
 /// One choice for one crowd.
 struct CrowdOption {
   Conduct conduct;
-  std::vector<Side> sides;  ///< One per target; empty where apart.
+  std::vector<Side> sides;  ///< One per target; empty where blocked.
   double low_m, high_m;     ///< Along the pass: where it leaves the line and is back.
-  CurveM curve;             ///< Around it, in the field frame; without bends where apart.
-  double extra_m;           ///< Longer than the line; 0 where apart.
+  CurveM curve;             ///< Around it, in the field frame; without bends where blocked.
+  double extra_m;           ///< Longer than the line; 0 where blocked.
 };
 
 /// Targets whose detours would meet.
@@ -55,7 +55,8 @@ constexpr double corner_rad = 0.35;
 /// The crowds of a pass in the order flown, each with its eight shortest flyable choices of sides:
 /// of up to 6 targets out of all, of more out of those that change sides at most once. Obstacles
 /// beside the line that a detour would enter are passed on the side of their neighbours. A crowd
-/// that leaves no room for a detour, for instance near an end of the pass, gets the option `apart`.
+/// that leaves no room for a detour, for instance near an end of the pass, gets the option
+/// `blocked`.
 ///
 /// @param turn_m  R_z > 0.
 std::vector<Crowd> crowds_of(const PassM& pass, const std::vector<TargetM>& targets,

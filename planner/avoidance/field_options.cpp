@@ -101,7 +101,7 @@ FieldOptions::Window FieldOptions::window_of(std::size_t c, const Room& room) co
     const CrowdOption& option = crowds_[c].crowd.options[o];
     low_m = std::min(low_m, option.low_m);
     high_m = std::max(high_m, option.high_m);
-    if (option.conduct == Conduct::apart) continue;
+    if (option.conduct == Conduct::blocked) continue;
     for (const PointM p : around_[c][o]) {
       aside_m = std::max(aside_m, std::abs(frame.to(p - pass.a).y));
     }

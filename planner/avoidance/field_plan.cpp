@@ -122,7 +122,7 @@ AvoidedStrip strip_around(const FieldOptions& field, std::size_t p, const Select
     if (field.crowds()[c].pass != p) continue;
     const CrowdOption& option = field.crowds()[c].crowd.options[chosen[c]];
     append(strip, true, {at, along(option.low_m)});
-    if (option.conduct != Conduct::apart) {
+    if (option.conduct != Conduct::blocked) {
       PathM path = tangent_path(option.curve, corner_rad);
       path.front() = along(option.low_m);
       path.back() = along(option.high_m);
@@ -238,7 +238,7 @@ AvoidancePlan plan_avoidance(const std::vector<StraightStrip>& strips, const Roo
     figures.extra += metres(option.extra_m);
     ++(option.conduct == Conduct::sprayed  ? figures.detours
        : option.conduct == Conduct::closed ? figures.closed
-                                           : figures.apart);
+                                           : figures.blocked);
   }
   set_areas(figures, field, room, flown, field.backswept_m2(chosen));
   plan.figures = figures;

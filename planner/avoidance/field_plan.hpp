@@ -37,7 +37,7 @@ struct StraightStrip {
 };
 
 /// A part of a strip as flown. Stretches follow one another without a gap, except where two
-/// sprayed ones meet: there the strip is apart, and a ferry must join it.
+/// sprayed ones meet: there the strip is blocked, and a ferry must join its parts.
 struct Stretch {
   bool spraying;
   std::vector<FieldPoint> line;  ///< At least two places; arcs as corners of tangents.
@@ -50,7 +50,7 @@ struct AvoidedStrip {
 struct AvoidanceFigures {
   std::size_t targets = 0;  ///< Obstacles that straight strips cross, counted for each strip.
   std::size_t crowds = 0;   ///< Groups of them that are passed together; of these:
-  std::size_t detours = 0, closed = 0, apart = 0;
+  std::size_t detours = 0, closed = 0, blocked = 0;
   Length straight{}, extra{};  ///< Of all strips; of all ways around.
   /// By union of footprints, outside obstacle circles; repeated beyond what straight strips repeat.
   Area missed{}, repeated{};

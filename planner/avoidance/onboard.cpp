@@ -35,7 +35,7 @@ double reach_m(const Crowd& crowd, const PassM& pass) {
   const RowFrame frame = RowFrame::along(pass.b - pass.a);
   double most_m = 0;
   for (const CrowdOption& option : crowd.options) {
-    if (option.conduct == Conduct::apart) continue;
+    if (option.conduct == Conduct::blocked) continue;
     for (const PointM p : tangent_path(option.curve, corner_rad)) {
       most_m = std::max(most_m, std::abs(frame.to(p - pass.a).y));
     }
@@ -63,7 +63,7 @@ const CrowdOption* best_option(const Crowd& crowd, const PassM& pass, const Room
   const CrowdOption* best = nullptr;
   double least = INFINITY;
   for (const CrowdOption& option : crowd.options) {
-    if (option.conduct == Conduct::apart) continue;
+    if (option.conduct == Conduct::blocked) continue;
     const double length = option.extra_m / pass.length_m();
     if (weights.length * length >= least) continue;
     const double area = wrong_alone_m2(passes, option, room) / (pass.length_m() * pass.width_m);

@@ -1,3 +1,4 @@
+#include "sim/checkers/clearance.hpp"
 #include "sim/checkers/laws.hpp"
 
 #include <algorithm>
@@ -47,6 +48,8 @@ class ClearanceLaws final : public Checker {
 
   void conclude(Instant) override {}
 
+  const std::optional<Clearance>& least() const { return least_; }
+
  private:
   struct Standing {
     Obstacle what;
@@ -65,13 +68,20 @@ class ClearanceLaws final : public Checker {
     if (point.at < obstacle.since) return;
     const Obstacle& o = obstacle.what;
     if (comes_up(aircraft, obstacle)) excuse(aircraft, o, point);
-    const bool is_far = distance(o.center, point.position) >= o.radius + aircraft.kept;
+    const Length about = distance(o.center, point.position) - o.radius;
     const auto excuse = aircraft.excused.find(o.id);
     const bool is_excused = excuse != aircraft.excused.end();
-    if (is_far || distance_to(o, point) >= aircraft.kept) {
+    const bool is_nearest = !is_excused && (!least_ || about < least_->away);
+    if (about >= aircraft.kept && !is_nearest) {
+      if (is_excused && point.at > excuse->second) aircraft.excused.erase(excuse);
+      return;
+    }
+    const Length away = distance_to(o, point);
+    if (is_nearest && (!least_ || away < least_->away)) least_ = {agent, o.id, away, point.at};
+    if (away >= aircraft.kept) {
       if (is_excused && point.at > excuse->second) aircraft.excused.erase(excuse);
     } else if (!is_excused) {
-      tell(agent, o, distance_to(o, point), aircraft.kept, point.at);
+      tell(agent, o, away, aircraft.kept, point.at);
     }
   }
 
@@ -107,12 +117,19 @@ class ClearanceLaws final : public Checker {
   std::vector<Standing> obstacles_;
   std::map<AgentId, Aircraft> aircraft_;
   std::set<std::pair<AgentId, std::string>> told_;
+  std::optional<Clearance> least_{};
 };
 
 }  // namespace
 
 std::unique_ptr<Checker> clearance_laws(const Facts& facts) {
   return std::make_unique<ClearanceLaws>(facts);
+}
+
+std::optional<Clearance> least_clearance(const Facts& facts, const std::vector<Envelope>& log) {
+  ClearanceLaws laws{facts};
+  for (const Envelope& e : log) laws.observe(e);
+  return laws.least();
 }
 
 }  // namespace furrow::sim

@@ -288,6 +288,16 @@ TEST_CASE("Obstacles may be unknown to the plan, and errors name their feature")
   REQUIRE(!blind);
   CHECK(blind.error().rule == "seen_within_m must be a number > 0");
   CHECK(blind.error().value == "feature 2: far");
+  const auto truth = read(R"("radius_m": 2, "seen_within_m": true)");
+  REQUIRE(!truth);
+  CHECK(truth.error().rule == "seen_within_m must be a number > 0");
+
+  // Two letters too few; another property, of whoever else uses the file, is nobody's concern.
+  const auto slip = read(R"("id": "elm", "radius_m": 2, "seen_within": 25)");
+  REQUIRE(!slip);
+  CHECK(slip.error().rule == "properties must be spelt as seen_within_m is");
+  CHECK(slip.error().value == "feature 2 (elm): seen_within");
+  CHECK(read(R"("radius_m": 2, "species": "Ulmus")"));
 }
 
 }  // namespace

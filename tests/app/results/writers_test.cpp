@@ -52,12 +52,13 @@ bool is_balanced(const std::string& page) {
 TEST_CASE("result_json: has the agreed keys in the agreed order", "[app]") {
   const Json json = Json::parse(result_json(summary(small_flight())));
 
-  CHECK(keys(json) == std::vector<std::string>{
-                          "version",   "scenario", "seed",       "mode",      "partial",
-                          "completed", "field",    "datum",      "sweep",     "coverage",
-                          "footprint", "fleet",    "uavs",       "batteries", "solver",
-                          "deviation", "stations", "warnings",   "laws",      "log",
-                          "timing",    "faults",   "separation", "operator",  "expectations"});
+  CHECK(keys(json) == std::vector<std::string>{"version",  "scenario",    "seed",       "mode",
+                                               "partial",  "completed",   "field",      "datum",
+                                               "sweep",    "coverage",    "footprint",  "fleet",
+                                               "uavs",     "batteries",   "solver",     "deviation",
+                                               "stations", "warnings",    "laws",       "log",
+                                               "timing",   "faults",      "separation", "clearance",
+                                               "operator", "expectations"});
   const auto sortie = keys(json["uavs"][0]["sorties"][0]);
   const std::vector<std::string> agreed{
       "start_m",      "return_m",       "spray_m", "round_trip_m", "flight_s",

@@ -43,7 +43,7 @@ TEST_CASE("rows run on past trees: every strip and every way between keeps clear
   REQUIRE(made);
   REQUIRE(record);
   CHECK(record->planned.targets >= 4);
-  CHECK(record->planned.apart >= 1);  // at the end of its row
+  CHECK(record->planned.blocked >= 1);  // at the end of its row
   CHECK(record->unjoined == 0);
   for (const Obstacle& o : field.obstacles) {
     for (const SwathStrip& strip : made->strips) {

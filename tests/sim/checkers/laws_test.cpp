@@ -1,3 +1,4 @@
+#include "sim/checkers/clearance.hpp"
 #include "tests/sim/checkers/scripted_log.hpp"
 
 #include <catch2/catch.hpp>
@@ -37,6 +38,28 @@ TEST_CASE("laws: L22 a track too near to an obstacle that the plan flies around"
   f.plan.uavs[0].vehicle.gnss = {.sigma = metres(0.12), .bias = {}};  // 0.4 m more than an RTK's
   CHECK(broken_at(1.01).empty());
   CHECK(broken_at(0.99) == Laws{"L22"});
+}
+
+TEST_CASE("the least clearance is told of the nearest obstacle, round or an outline", "[sim]") {
+  Facts f = facts();
+  f.plan.safety = metres(1);
+  f.field.obstacles = {
+      {"tree", at_m(20, 4), metres(0.5)},
+      outlined("pond", {at_m(-40, 10), at_m(60, 10), at_m(60, 30), at_m(-40, 30)})};
+  Script s = clean_run();
+  FlightRecord record = flight({0, 0});
+  // 3 m from the tree's edge, then 1.5 m; 1.25 m from the pond's.
+  record.track = {
+      {at(5), at_m(16.5, 4), false}, {at(6), at_m(18, 4), false}, {at(7), at_m(2, 8.75), false}};
+  s.say(node(one), 7, record);
+  const auto least = least_clearance(f, s.log);
+  REQUIRE(least);
+  CHECK(least->obstacle == "pond");
+  CHECK(least->agent == one);
+  CHECK(least->away.base() == Approx(1.25));
+  CHECK(least->at == at(7));
+  f.plan.safety = metres(0);
+  CHECK_FALSE(least_clearance(f, s.log));
 }
 
 TEST_CASE("laws: L22 a track too near to an outline", "[sim]") {
