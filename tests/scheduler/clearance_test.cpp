@@ -156,7 +156,7 @@ Clearances of_scenes(std::uint64_t count, bool verbose) {
 }  // namespace
 
 TEST_CASE("random scenes of trees, outlines and zones keep every leg clear or are refused") {
-  const Clearances all = of_scenes(60, true);
+  const Clearances all = of_scenes(70, true);
   CHECK(all.planned > 30);
   CHECK(all.rows >= kept);
   CHECK(all.connections >= kept);

@@ -12,7 +12,8 @@ TEST_CASE("expectations: every key that a scenario may expect names a figure of 
           "[app]") {
   Result result{};
   result.fleet.gap = 0.0;
-  result.clearance = {.uav = 1, .obstacle = "tree", .least_m = 1, .share = 1, .at_s = 0};
+  result.clearance =
+      ClearanceFigures{.uav = 1, .obstacle = "tree", .least_m = 1, .share = 1, .at_s = 0};
   int keys = 0;
   for (const mission::KnownKey& known : mission::known_keys()) {
     constexpr std::string_view prefix = "expect.", suffix = ".max";

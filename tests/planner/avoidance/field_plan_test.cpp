@@ -239,22 +239,6 @@ TEST_CASE("poles in a row are passed with far less wrong area than by half circl
   CHECK(ratio >= 2);
 }
 
-TEST_CASE("a blocked strip ends and begins clear of an outline's oblique edge") {
-  // The edge from (50, -2) to (90, 2) crosses the line at x = 70 and is nearer to it than 2 m for
-  // 20 m on both sides; circles of 2 m around its ends and the crossing would let it end at 68.
-  const PassM pass{{0, 0}, {120, 0}, 6};
-  const RingM spit{{50, -2}, {90, 2}, {90, 30}, {70, 60}, {40, 40}, {30, 5}, {45, 40}};
-  const Room room{{}, {{spit, 2}}, {{{{-1, -3}, {121, -3}, {121, 3}, {-1, 3}}, {}}}};
-  const auto targets = targets_of(pass, room);
-  REQUIRE(targets.size() == 1);
-  const auto crowds = crowds_of(pass, targets, room, 3);
-  REQUIRE(crowds.size() == 1);
-  REQUIRE(crowds[0].options.front().conduct == Conduct::blocked);
-  const CrowdOption& blocked = crowds[0].options.front();
-  CHECK(room.is_clear({{0, 0}, {blocked.low_m, 0}}));
-  CHECK(room.is_clear({{blocked.high_m, 0}, {120, 0}}));
-}
-
 TEST_CASE("a pond on a strip is flown around along its hull, clear of its edges") {
   const PassM pass{{0, 0}, {120, 0}, 6};
   const RingM pond{{50, -2}, {60, -3}, {64, 2}, {55, 4}};
