@@ -60,4 +60,10 @@ constexpr Seconds usable_endurance(const Vehicle& v) {
 /// take `flight_s` seconds is begun on it: gusts and corrections take some besides.
 constexpr double wanted_pack_s(double flight_s) { return 1.005 * flight_s + 6.0; }
 
+/// The longest flight in seconds that a full pack is good for, its gusts and corrections included.
+constexpr double longest_flight_s(const Vehicle& v) {
+  return (usable_endurance(v).base() - wanted_pack_s(0.0)) /
+         (wanted_pack_s(1.0) - wanted_pack_s(0.0));
+}
+
 }  // namespace furrow

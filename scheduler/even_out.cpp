@@ -80,7 +80,7 @@ class Fleet {
     if (list.empty()) return grounded(vehicles_[uav].id);
     const std::span<const double> ready = ready_s_.empty() ? ready_s_ : ready_s_.subspan(uav, 1);
     auto flown = flown_lists(route_, lengths_, vehicles_.subspan(uav, 1), stations_, {list}, ready);
-    if (!flown) return std::nullopt;
+    if (!flown || !flown->forecast.is_sure) return std::nullopt;
     return std::move(flown->itineraries.front());
   }
 

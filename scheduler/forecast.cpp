@@ -147,6 +147,11 @@ void swap_as_flown(std::span<const planner::ReturnProblem* const> landings,
     lost_s.push_back(flown_s - (s.fly_out_s + s.spray_s + s.fly_back_s));
   }
   plan = planner::evaluated_as_flown(landings, plan.returns, lost_s);
+  const Vehicle& vehicle = landings.front()->vehicle;
+  itinerary.is_sure =
+      std::all_of(plan.sorties.begin(), plan.sorties.end(), [&](const planner::PlannedSortie& s) {
+        return s.battery_used * vehicle.flight_endurance.base() <= longest_flight_s(vehicle);
+      });
   for (std::size_t n = 0; n < itinerary.services_s.size(); ++n) {
     itinerary.services_s[n] = plan.sorties[n].service_s;
   }
@@ -177,6 +182,8 @@ Forecast forecast(std::span<const Itinerary> itineraries, std::span<const Statio
                   const Pads& pads) {
   const std::size_t count = itineraries.size();
   Forecast f;
+  f.is_sure = std::all_of(itineraries.begin(), itineraries.end(),
+                          [](const Itinerary& it) { return it.is_sure; });
   f.visits.resize(count);
   f.spray_ends_s.assign(count, 0.0);
   f.lands_s.assign(count, 0.0);

@@ -21,6 +21,7 @@ struct Itinerary {
   double last_home_s;   ///< From there to the station.
   bool flies;           ///< False for an empty share.
   double begins_s = 0;  ///< Mission time of its first take-off.
+  bool is_sure = true;  ///< Packs are good for all flights as they are flown.
 };
 
 /// The plan as it is flown, all of it from one station.
@@ -47,6 +48,7 @@ struct Forecast {
   std::vector<std::vector<Visit>> visits;     ///< By itinerary, one per return.
   std::vector<double> spray_ends_s, lands_s;  ///< By itinerary; 0 for those that do not fly.
   double makespan_s = 0.0;                    ///< When the last cell is sprayed.
+  bool is_sure = true;                        ///< All itineraries are.
   double queue_wait_s = 0.0;                  ///< Sum over all visits.
   double late_s = 0.0;  ///< By which services end after plans have them done, summed.
 };

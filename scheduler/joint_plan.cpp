@@ -187,7 +187,7 @@ std::uint32_t stop_of(const planner::Route& route, const fleet::FleetProblem& mo
   return stop;
 }
 
-constexpr int attempts = 2;
+constexpr int attempts = 3;
 
 /// Sorties that a search may fly.
 std::uint64_t budget_of(const planner::SolveSettings& settings, double sorties_per_s = 200'000) {
@@ -259,7 +259,9 @@ class Judge {
   }
   std::optional<double> consider(SortieLists lists) {
     auto flown = flown_lists(route_, lengths_, vehicles_, stations_, lists, ready_s_);
-    if (!flown || !is_in_time(vehicles_, flown->forecast)) return std::nullopt;
+    if (!flown || !flown->forecast.is_sure || !is_in_time(vehicles_, flown->forecast)) {
+      return std::nullopt;
+    }
     const double makespan_s = flown->forecast.makespan_s;
     if (const auto loss = loss_of(*flown); !best_ || loss < best_loss_) {
       best_loss_ = loss;

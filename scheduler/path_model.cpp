@@ -166,7 +166,7 @@ std::optional<fleet::FleetProblem> search_model(const planner::Route& route,
   for (const Vehicle& v : vehicles) {
     fleet::Flier f = flier(v);
     f.tank_m -= margins.spare_cells * cell_m;
-    f.pack_s *= margins.pack_share;
+    f.pack_s = margins.pack_share * longest_flight_s(v);
     if (!margins.losses.empty()) {
       const FlightLoss& loss = margins.losses[p.fliers.size()];
       f.sortie_s = loss.flight_s;

@@ -156,8 +156,9 @@ SortieLists lists_of(const Sketch& s, const Solved& found) {
 std::optional<JointPlan> jointly(const FleetProblem& problem, const Sketch& s,
                                  const Expected<Solved, PlanError>& found) {
   const auto closes = [](const Station& at) { return at.available_until.has_value(); };
-  const bool has_choice =
-      problem.vehicles.size() > 1 || problem.stations.size() > 1 || closes(problem.stations[0]);
+  const bool has_choice = problem.vehicles.size() > 1 || problem.stations.size() > 1 ||
+                          closes(problem.stations[0]) ||
+                          (found && !found->returns.forecast.is_sure);
   if (!has_choice || !planner::is_by_gravity(problem.solver.returns) || problem.survey) {
     return std::nullopt;
   }
@@ -262,8 +263,8 @@ Expected<FleetPlan, PlanError> plan_fleet(const FleetProblem& problem) {
   auto joint = jointly(problem, s, found);
   const bool may_share = found && is_in_time(problem.vehicles, found->returns.forecast);
   if (!joint && !may_share) return Unexpected{refusal(problem, found)};
-  const bool is_joint =
-      joint && (!may_share || worth(joint->flown.forecast) < worth(found->returns.forecast));
+  const bool is_joint = joint && (!may_share || !found->returns.forecast.is_sure ||
+                                  worth(joint->flown.forecast) < worth(found->returns.forecast));
   MakespanBound bound = lower_bound(problem, s, found);
   FleetPlan plan{.route = {},
                  .sweep = s.coverage.sweep,

@@ -142,7 +142,7 @@ FlownLists turned_at_near_work(FlownLists flown, const planner::Route& whole,
       for (std::size_t to = 0; to < lists[u].size(); ++to) {
         if (from == to || ++forecasts > most_forecasts) continue;
         auto other = flown_lists(whole, lengths, vehicles, stations, moved(lists, u, from, to));
-        if (!other || !is_in_time(vehicles, other->forecast)) continue;
+        if (!other || !other->forecast.is_sure || !is_in_time(vehicles, other->forecast)) continue;
         const double loss = loss_s(*other, whole, near);
         if (loss >= least_s) continue;
         least_s = loss;

@@ -1,7 +1,5 @@
 #include "planner/fleet/queue_clock.hpp"
 
-#include "core/vehicle.hpp"
-
 #include <algorithm>
 #include <bit>
 #include <limits>
@@ -123,11 +121,11 @@ double QueueClock::timed_s(const Sortie& s, std::uint32_t from_depot) {
   return known.flight_s;
 }
 
-/// Whether its pack is swapped, which is full then.
-bool QueueClock::swaps(const Sortie& landed, const Sortie& next) {
-  const double wanted_s = wanted_pack_s(timed_s(next, landed.depot));
+/// @return  Whether its pack has to be swapped, and so is full.
+bool QueueClock::swap_pack(const Sortie& landed, const Sortie& next) {
   double& used_s = used_s_[next.flier];
-  if (used_s + wanted_s <= problem_.fliers[next.flier].pack_s) return false;
+  const double after_s = used_s + timed_s(next, landed.depot);
+  if (after_s <= problem_.fliers[next.flier].pack_s + slack) return false;
   used_s = 0.0;
   return true;
 }
@@ -167,7 +165,7 @@ void QueueClock::land(const Arrival& now) {
   double& bay_s = *std::min_element(bays.begin(), bays.end());
   const double starts_s = std::max({now.at_s, bay_s, problem_.depots[landed.depot].opens_s});
   ended.wait_s += starts_s - now.at_s;
-  bay_s = starts_s + service_s(problem_, landed.depot, next, swaps(landed, next));
+  bay_s = starts_s + service_s(problem_, landed.depot, next, swap_pack(landed, next));
   ended.late_s += std::max(0.0, bay_s - problem_.depots[landed.depot].closes_s);
   fly(now.sortie + 1, landed.depot, bay_s);
 }

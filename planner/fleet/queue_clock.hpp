@@ -83,7 +83,7 @@ class QueueClock {
   void fly(std::uint32_t sortie, std::uint32_t from_depot, double at_s);
   void land(const Arrival& now);
   double timed_s(const Sortie& sortie, std::uint32_t from_depot);
-  bool swaps(const Sortie& landed, const Sortie& next);
+  bool swap_pack(const Sortie& landed, const Sortie& next);
   Ended ended(const Sortie& last, const Ended& so_far, double lands_s) const;
   Finish sum() const;
 

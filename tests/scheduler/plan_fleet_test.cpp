@@ -282,6 +282,19 @@ TEST_CASE("plan_fleet: aircraft fly within the time that they are available for"
   CHECK(impossible.error().fault == PlanFault::window_too_short);
 }
 
+TEST_CASE("plan_fleet: packs carry flights as they are flown, of one aircraft too", "[scheduler]") {
+  // Rows of 100 m are sprayed in 33 s, and each turn to the next takes some seconds that plans of
+  // constant speed leave out: sorties that fill a pack of 200 s by those do not come home on it.
+  FleetProblem p = problem(60, 100, 1);
+  p.solver.returns = ReturnStrategy::joint;
+  p.vehicles[0].flight_endurance = seconds(200);
+  const auto plan = plan_fleet(p);
+  REQUIRE(plan);
+  for (const planner::PlannedSortie& s : plan->uavs[0].solution.plan.sorties) {
+    CHECK(200 * s.battery_used <= longest_flight_s(p.vehicles[0]));
+  }
+}
+
 TEST_CASE("plan_fleet: each place of a field in reach of some station is enough", "[scheduler]") {
   // Rows of 4 km. A pack lasts for 900 s at 6 m/s: half way there and back from either end, not
   // from one end to the other and back.
