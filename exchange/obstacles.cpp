@@ -97,6 +97,10 @@ class Places {
 
 Expected<Obstacle, Fault> polygon_obstacle(const OGRPolygon& polygon, std::string id,
                                            const Places& places) {
+  if (polygon.getNumInteriorRings() > 0) {
+    return Unexpected{Fault{"an obstacle must have no holes",
+                            fmt::format("{} inner rings", polygon.getNumInteriorRings())}};
+  }
   const OGRLinearRing* outer = polygon.getExteriorRing();
   Ring ring;
   for (int i = 0; outer && i < outer->getNumPoints(); ++i) {

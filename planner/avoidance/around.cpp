@@ -216,36 +216,44 @@ std::vector<StraightStrip> straight_strips(const std::vector<SwathStrip>& rows, 
   return strips;
 }
 
-AvoidanceRecord record_of(const std::vector<StraightStrip>& strips, const Room& room,
-                          const AvoidanceSettings& settings, const AvoidanceFigures& planned) {
-  AvoidanceSettings half_circles = settings;
-  half_circles.method = AvoidanceMethod::classic;
-  return {.planned = planned,
-          .classic = plan_avoidance(strips, room, half_circles).figures,
-          .safety = settings.safety,
-          .ended = settings.ends_rows.size()};
+Expected<Room, PlanError> planned_room(const Field& field, const SwathSettings& settings) {
+  return room_of(field, settings.margin, settings.hole_buffer,
+                 settings.avoidance->safety + metres(tracking_room_m),
+                 settings.avoidance->ends_rows);
 }
 
 }  // namespace
+
+Expected<AvoidanceFigures, PlanError> half_circles(const Field& field,
+                                                   const std::vector<StraightStrip>& rows,
+                                                   const SwathSettings& settings) {
+  require(settings.avoidance.has_value(), "obstacles are flown around by settings");
+  const auto room = planned_room(field, settings);
+  if (!room) return Unexpected{room.error()};
+  AvoidanceSettings classic = *settings.avoidance;
+  classic.method = AvoidanceMethod::classic;
+  return plan_avoidance(rows, *room, classic).figures;
+}
 
 Expected<RowsAround, PlanError> rows_around(const Field& field, const std::vector<SwathStrip>& rows,
                                             const SwathSettings& settings) {
   require(settings.avoidance.has_value(), "obstacles are flown around by settings");
   const auto land = field_land(field, settings.margin, settings.hole_buffer);
   if (!land) return Unexpected{land.error()};
-  const auto room =
-      room_of(field, settings.margin, settings.hole_buffer,
-              settings.avoidance->safety + metres(tracking_room_m), settings.avoidance->ends_rows);
+  const auto room = planned_room(field, settings);
   if (!room) return Unexpected{room.error()};
 
-  const auto strips = straight_strips(rows, settings.row_overlap.value_or(Length{}));
+  auto strips = straight_strips(rows, settings.row_overlap.value_or(Length{}));
   const AvoidancePlan plan = plan_avoidance(strips, *room, *settings.avoidance);
   RowsAround made{.strips = {},
                   .rows = {},
                   .areas = {},
                   .sprayed = {},
                   .route = {},
-                  .record = record_of(strips, *room, *settings.avoidance, plan.figures)};
+                  .record = {.planned = plan.figures,
+                             .straight = std::move(strips),
+                             .safety = settings.avoidance->safety,
+                             .ended = settings.avoidance->ends_rows.size()}};
   Joiner joiner{field, settings, *room, made.record};
   for (std::size_t i = 0; i < plan.strips.size(); ++i) joiner.add(i, rows[i], plan.strips[i]);
   if (const auto gap = joiner.gap()) {

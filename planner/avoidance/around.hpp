@@ -9,8 +9,10 @@ namespace furrow::planner {
 
 /// What flying around obstacles came to, beside what half circles would have.
 struct AvoidanceRecord {
-  AvoidanceFigures planned, classic;
-  Length safety{};  ///< That every planned way keeps from obstacles.
+  AvoidanceFigures planned;
+  std::vector<StraightStrip> straight{};  ///< The rows, before they were led around.
+  AvoidanceFigures classic{};             ///< Of `half_circles`; `cover` sets it.
+  Length safety{};                        ///< That every planned way keeps from obstacles.
   /// Ways between strips that are Dubins turns inside the field; and those for which none was
   /// found among the obstacles or inside, which aircraft turn on the spot.
   std::size_t turns = 0, unturned = 0;
@@ -26,6 +28,16 @@ struct RowsAround {
   Length sprayed, route;
   AvoidanceRecord record;
 };
+
+/// The yardstick: what half circles would make of the same rows.
+///
+/// @param rows      `AvoidanceRecord::straight`.
+/// @param settings  Margin, hole buffer and avoidance count, as for `rows_around`.
+/// @pre    `settings.avoidance` has a value.
+/// @error  As `field_land`.
+Expected<AvoidanceFigures, PlanError> half_circles(const Field& field,
+                                                   const std::vector<StraightStrip>& rows,
+                                                   const SwathSettings& settings);
 
 /// Leads straight rows around the obstacles of `field`, and joins what is left of them.
 ///

@@ -7,6 +7,7 @@
 #include "planner/coverage/swath/inset.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace furrow::planner {
 namespace {
@@ -160,16 +161,69 @@ PathM classic_path_clear(const PassM& pass, const Room& room) {
   }
 }
 
+// A barrier counts as the circle that holds it, as wide as its clearance and what chords of the
+// half circle cut off.
+Room with_barriers_as_circles(const Room& room) {
+  constexpr double chords_m = 0.1;
+  std::vector<CircleM> circles = room.circles();
+  for (const BarrierM& barrier : room.barriers()) {
+    const BoxM box = box_of(barrier.ring);
+    CircleM& circle = circles.emplace_back();
+    circle.center = 0.5 * (box.low + box.high);
+    for (const PointM p : barrier.ring) {
+      circle.radius_m = std::max(circle.radius_m, norm(p - circle.center));
+    }
+    circle.radius_m += barrier.clearance_m + chords_m;
+  }
+  return Room{std::move(circles), {}, {}};
+}
+
+// Where outlines are, half circles are large: they must keep clear, and inside the field.
+bool is_flyable(const PathM& path, const Room& room) {
+  constexpr std::size_t straight = 2;
+  if (room.barriers().empty() || path.size() == straight) return true;
+  return room.is_clear(path) && room.is_inside({path.begin() + 1, path.end() - 1});
+}
+
+// What is clear of the straight line, to a step.
+std::vector<PathM> clear_parts(const PassM& pass, const Room& room) {
+  constexpr double step_m = 0.1;
+  const int steps = static_cast<int>(std::ceil(pass.length_m() / step_m));
+  const auto at = [&](int step) {
+    return pass.a + (static_cast<double>(step) / steps) * (pass.b - pass.a);
+  };
+  std::vector<PathM> parts;
+  int first = 0;
+  for (int step = 0; step <= steps; ++step) {
+    if (step < steps && room.is_clear({at(step), at(step + 1)})) continue;
+    if (step > first) parts.push_back({at(first), at(step)});
+    first = step + 1;
+  }
+  return parts;
+}
+
 AvoidancePlan classic_plan(const FieldOptions& field, const Room& room, AvoidanceFigures figures) {
   AvoidancePlan plan{{}, figures};
+  const Room round = with_barriers_as_circles(room);
   std::vector<FootprintM> flown;
-  for (const PassM& pass : field.passes()) {
-    PathM path = classic_path_clear(pass, room);
-    plan.figures.extra += metres(length_m(path) - pass.length_m());
-    append(plan.strips.emplace_back(), true, path);
-    flown.push_back({std::move(path), pass.width_m / 2});
+  for (std::size_t p = 0; p < field.passes().size(); ++p) {
+    const PassM& pass = field.passes()[p];
+    std::vector<PathM> paths{classic_path_clear(pass, round)};
+    const bool ends = !is_flyable(paths.front(), room);
+    if (ends) {
+      paths = clear_parts(pass, room);
+    } else {
+      plan.figures.extra += metres(length_m(paths.front()) - pass.length_m());
+    }
+    AvoidedStrip& strip = plan.strips.emplace_back();
+    for (PathM& path : paths) {
+      append(strip, true, path);
+      flown.push_back({std::move(path), pass.width_m / 2});
+    }
+    for (const PlacedCrowd& crowd : field.crowds()) {
+      if (crowd.pass == p) ++(ends ? plan.figures.blocked : plan.figures.detours);
+    }
   }
-  plan.figures.detours = plan.figures.crowds;
   set_areas(plan.figures, field, room, flown, 0);
   return plan;
 }

@@ -20,7 +20,7 @@ constexpr Length planned_clearance(Length safety) {
 enum class AvoidanceMethod {
   genetic,  ///< Side or split for each crowd by genetic search, per pass and then for all.
   exact,    ///< The same by enumeration; genetic where a group of crowds is too large for it.
-  classic,  ///< Half circles on the left, the yardstick; not flyable, of circles alone.
+  classic,  ///< Half circles on the left, the yardstick; not flyable; outlines as circles.
   split,    ///< The valve always closed on the way around.
 };
 
@@ -36,7 +36,7 @@ struct AvoidanceSettings {
   double target_fitness = 0;                        ///< At which it stops.
   std::uint64_t seed = 0;
   /// Obstacles of the field at which rows end, as they do at holes, by number; rows are led around
-  /// all others. `cover` chooses them.
+  /// all others. `cover` chooses them; none for half circles.
   std::vector<std::size_t> ends_rows{};
 };
 

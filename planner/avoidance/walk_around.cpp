@@ -152,6 +152,13 @@ class Builder {
 
 }  // namespace
 
+SwathSettings as_rows(const CoverageSettings& settings) {
+  SwathSettings rows;
+  rows.margin = settings.margin;
+  rows.avoidance = settings.avoidance;
+  return rows;
+}
+
 Expected<WalkAround, PlanError> walk_around(const Field& field, Length swath,
                                             const CoverageSettings& settings) {
   require(settings.avoidance.has_value(), "obstacles are flown around by settings");
@@ -162,10 +169,7 @@ Expected<WalkAround, PlanError> walk_around(const Field& field, Length swath,
   std::vector<SwathStrip> lines;
   lines.reserve(rows.size());
   for (const WalkRow& row : rows) lines.push_back(row.line);
-  SwathSettings led;
-  led.margin = settings.margin;
-  led.avoidance = settings.avoidance;
-  auto around = rows_around(field, lines, led);
+  auto around = rows_around(field, lines, as_rows(settings));
   if (!around) return Unexpected{around.error()};
   const Length clearance = settings.avoidance->safety + metres(tracking_room_m);
   return Builder{*walk, rows, *around, led_around(field, ends_rows), clearance}.built();

@@ -15,6 +15,9 @@ struct WalkAround {
   RowsAround rows;
 };
 
+/// What counts of the settings of a walk where its rows are led around obstacles.
+SwathSettings as_rows(const CoverageSettings& settings);
+
 /// `coverage_route` over the cells of obstacles that are led around too, with the valve open or
 /// closed, whichever costs less; those that end rows are left out as cells.
 ///

@@ -1,12 +1,8 @@
 #include "planner/coverage/cover.hpp"
 
-#include "core/corner.hpp"
 #include "planner/avoidance/walk_around.hpp"
+#include "planner/coverage/led_or_ended.hpp"
 #include "planner/coverage/swath/swath_route.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
 
 namespace furrow::planner {
 namespace {
@@ -68,61 +64,32 @@ Expected<Coverage, PlanError> covered(const Field& field, Length swath,
   return swept(field, swath, std::get<SwathSettings>(model));
 }
 
-double ground_m2(const Obstacle& o) {
-  RingM ring;
-  for (const FieldPoint p : o.outline) ring.push_back({p.x.base(), p.y.base()});
-  return std::abs(signed_area_m2(ring));
+Covering ending_rows(const Field& field, Length swath, const CoverageModel& model) {
+  return [&field, swath, model](const std::vector<std::size_t>& ends_rows) {
+    CoverageModel ending = model;
+    std::visit([&](auto& settings) { settings.avoidance->ends_rows = ends_rows; }, ending);
+    return covered(field, swath, ending);
+  };
 }
 
-// By number, that of the least ground first.
-std::vector<std::size_t> large_outlines(const Field& field, Length swath) {
-  std::vector<std::size_t> large;
-  const auto& all = field.obstacles;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (!all[i].outline.empty() && all[i].radius > 2.0 * swath) large.push_back(i);
-  }
-  std::stable_sort(large.begin(), large.end(), [&](std::size_t a, std::size_t b) {
-    return ground_m2(all[a]) < ground_m2(all[b]);
-  });
-  return large;
+SwathSettings as_rows(const CoverageModel& model) {
+  if (const auto* grid = std::get_if<CoverageSettings>(&model)) return as_rows(*grid);
+  return std::get<SwathSettings>(model);
 }
 
-CoverageModel with_ends(CoverageModel model, const std::vector<std::size_t>& ends_rows) {
-  std::visit([&](auto& settings) { settings.avoidance->ends_rows = ends_rows; }, model);
-  return model;
-}
-
-// Of the way from the end of `before` to that of `strip`, corners sharper than 45 degrees.
-std::size_t sharp_corners(const Strip& before, const Strip& strip) {
-  std::vector<FieldPoint> way{before.begin, before.end};
-  way.insert(way.end(), strip.approach.begin(), strip.approach.end());
-  way.insert(way.end(), {strip.begin, strip.end});
-  const auto same = [](FieldPoint a, FieldPoint b) { return distance(a, b) < metres(1e-6); };
-  way.erase(std::unique(way.begin(), way.end(), same), way.end());
-  std::size_t sharp = 0;
-  for (std::size_t i = 2; i < way.size(); ++i) {
-    if (turn_rad(way[i - 1] - way[i - 2], way[i] - way[i - 1]) > std::numbers::pi / 4) ++sharp;
-  }
-  return sharp;
+Expected<Coverage, PlanError> with_half_circles(LedOrEnded chosen, const Field& field,
+                                                const CoverageModel& model) {
+  if (!chosen.coverage) return chosen.coverage;
+  SwathSettings settings = as_rows(model);
+  settings.avoidance->ends_rows = chosen.ends_rows;
+  AvoidanceRecord& record = *chosen.coverage->sweep.value().avoidance;
+  const auto classic = half_circles(field, record.straight, settings);
+  if (!classic) return Unexpected{classic.error()};
+  record.classic = *classic;
+  return std::move(chosen.coverage);
 }
 
 }  // namespace
-
-double coverage_cost_m(const Coverage& coverage, Length swath, const AvoidanceSettings& avoidance) {
-  const auto& strips = coverage.route.strips;
-  Length route{};
-  std::size_t corners = 0;
-  for (std::size_t i = 0; i < strips.size(); ++i) {
-    route += distance(strips[i].begin, strips[i].end);
-    if (i == 0) continue;
-    route += approach_length(strips[i - 1], strips[i]);
-    corners += sharp_corners(strips[i - 1], strips[i]);
-  }
-  route += 0.5 * static_cast<double>(corners) * SwathSettings{}.turn_cost;
-  const SprayedAreas& areas = coverage.sweep.value().areas;
-  return avoidance.length_weight * route.base() +
-         avoidance.area_weight * (areas.missed + areas.repeated).base() / swath.base();
-}
 
 const std::optional<AvoidanceSettings>& avoidance_of(const CoverageModel& model) {
   return std::visit(
@@ -138,22 +105,11 @@ Length safety_of(const CoverageModel& model) {
 }
 
 Expected<Coverage, PlanError> cover(const Field& field, Length swath, const CoverageModel& model) {
-  constexpr std::size_t most_tried = 8;
-  const auto& avoidance = avoidance_of(model);
-  if (!avoidance) return covered(field, swath, model);
-  const std::vector<std::size_t> large = large_outlines(field, swath);
-  std::vector<std::size_t> ends_rows = large;
-  auto best = covered(field, swath, with_ends(model, ends_rows));
-  for (std::size_t i = 0; i < std::min(large.size(), most_tried); ++i) {
-    std::vector<std::size_t> fewer = ends_rows;
-    std::erase(fewer, large[i]);
-    auto other = covered(field, swath, with_ends(model, fewer));
-    const auto cost_m = [&](const Coverage& c) { return coverage_cost_m(c, swath, *avoidance); };
-    if (!other || (best && cost_m(*best) <= cost_m(*other))) continue;
-    best = std::move(other);
-    ends_rows = std::move(fewer);
-  }
-  return best;
+  if (!avoidance_of(model)) return covered(field, swath, model);
+  const SwathSettings rows = as_rows(model);
+  auto chosen =
+      led_or_ended(field, swath, *rows.avoidance, rows.turn_cost, ending_rows(field, swath, model));
+  return with_half_circles(std::move(chosen), field, model);
 }
 
 }  // namespace furrow::planner

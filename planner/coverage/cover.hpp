@@ -41,25 +41,17 @@ struct Coverage {
   std::optional<SweepFigures> sweep;  ///< Of the swath model, and of a grid with `avoidance`.
 };
 
-/// What a coverage costs, by which it is chosen what rows are led around, in metres flown:
-///
-///     length_weight (route + corners turn_cost / 2) + area_weight (missed + repeated) / swath
-///
-/// with the weights of `avoidance`, the route with all ways between strips (straight where they
-/// leap), corners those sharper than 45 degrees, two for each turn to the next row, turn_cost that
-/// of SwathSettings, 5 m, and the areas of the whole field.
-///
-/// @pre  `coverage.sweep` has a value.
-double coverage_cost_m(const Coverage& coverage, Length swath, const AvoidanceSettings& avoidance);
-
 /// Covers `field` by `model`.
 ///
 /// Rows are led around round obstacles and outlines that a circle of two swaths holds. Larger
-/// outlines end rows, but for those around which rows cost less by `coverage_cost_m`: up to eight
-/// are tried one after another, that of the least ground first, by planning the whole field.
+/// outlines end rows, but for those around which rows cost less, see `led_or_ended`. Half circles
+/// go around all of them, or end rows where they do not fit.
 ///
 /// @param swath  > 0.
 /// @error  As `coverage_route` and `swath_coverage`.
+///
+/// Cost: with `avoidance` and large outlines, up to five plans of the whole field; half circles,
+/// the yardstick, are laid for the chosen one alone.
 Expected<Coverage, PlanError> cover(const Field& field, Length swath, const CoverageModel& model);
 
 }  // namespace furrow::planner

@@ -1,6 +1,8 @@
-#include "planner/coverage/cover.hpp"
+#include "planner/coverage/led_or_ended.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 
 using namespace furrow;
 using namespace furrow::planner;
@@ -32,7 +34,25 @@ double cost_where_rows_end_m(const Field& field) {
   s.avoidance.reset();
   const auto made = cover(field, metres(6), s);
   REQUIRE(made);
-  return coverage_cost_m(*made, metres(6), AvoidanceSettings{});
+  return coverage_cost_m(*made, metres(6), AvoidanceSettings{}, metres(5));
+}
+
+// Of rows and the ways between them from outlines, sampled.
+double nearest_m(const Route& route, const Field& field) {
+  double least = INFINITY;
+  std::vector<FieldPoint> way;
+  for (const Strip& strip : route.strips) {
+    way.insert(way.end(), strip.approach.begin(), strip.approach.end());
+    way.insert(way.end(), {strip.begin, strip.end});
+  }
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    const FieldVector leg = way[i] - way[i - 1];
+    for (int k = 0; k <= 200; ++k) {
+      const FieldPoint at = way[i - 1] + FieldVector{0.005 * k * leg.x, 0.005 * k * leg.y};
+      for (const Obstacle& o : field.obstacles) least = std::min(least, -depth_in(o, at).base());
+    }
+  }
+  return least;
 }
 
 }  // namespace
@@ -43,13 +63,15 @@ TEST_CASE("the cost of a coverage is its way, its corners and the ground missed 
   REQUIRE(rows);
   // Two rows of 100 m, 6 m between them and two corners of 2.5 m, half of it: 105.5 m.
   AvoidanceSettings weights;
-  CHECK(coverage_cost_m(*rows, metres(6), weights) == Approx(105.5).margin(1e-3));
+  CHECK(coverage_cost_m(*rows, metres(6), weights, metres(5)) == Approx(105.5).margin(1e-3));
+  // A turn of 25 m counts 20 m more.
+  CHECK(coverage_cost_m(*rows, metres(6), weights, metres(25)) == Approx(115.5).margin(1e-3));
   // 60 m2 more that are repeated are 10 m of a swath of 6 m.
   Coverage repeating = *rows;
   repeating.sweep->areas.repeated += square_metres(60);
   weights.length_weight = 0;
   weights.area_weight = 1;
-  CHECK(coverage_cost_m(repeating, metres(6), weights) == Approx(10).margin(1e-3));
+  CHECK(coverage_cost_m(repeating, metres(6), weights, metres(5)) == Approx(10).margin(1e-3));
 }
 
 TEST_CASE("rows are led around a hedge along them, which costs less than to end them there") {
@@ -66,7 +88,7 @@ TEST_CASE("rows are led around a hedge along them, which costs less than to end 
   CHECK(wrong_m2 <= 0.6 * 60 + 2 * 6);
   // 14 rows of 150 m, 13 ways of 6 m and 26 corners; the detour adds less than a metre.
   const double straight_m = 14 * 150 + 13 * 6 + 26 * 2.5;
-  const double cost_m = coverage_cost_m(*made, metres(6), AvoidanceSettings{});
+  const double cost_m = coverage_cost_m(*made, metres(6), AvoidanceSettings{}, metres(5));
   CHECK(cost_m > (straight_m + wrong_m2 / 6) / 2);
   CHECK(cost_m < (straight_m + 1 + wrong_m2 / 6) / 2);
   CHECK(cost_m < cost_where_rows_end_m(field));
@@ -84,7 +106,7 @@ TEST_CASE("rows end at a barn, which costs less than to lead them around it") {
   CHECK(made->sweep->avoidance->planned.targets == 0);
   const double straight_m = 14 * 150 + 13 * 6 + 26 * 2.5;
   const double wrong_m = (made->sweep->areas.missed + made->sweep->areas.repeated).base() / 6;
-  const double cost_m = coverage_cost_m(*made, metres(6), AvoidanceSettings{});
+  const double cost_m = coverage_cost_m(*made, metres(6), AvoidanceSettings{}, metres(5));
   CHECK(cost_m < (straight_m - 166 + 55 + 2 * 66.5 + wrong_m) / 2);
   CHECK(cost_m == Approx(cost_where_rows_end_m(field)));
 }
@@ -106,4 +128,23 @@ TEST_CASE("a walk on a grid ends or is led around outlines by the same cost") {
   REQUIRE(barn);
   CHECK(hedge->sweep->avoidance->ended == 0);
   CHECK(barn->sweep->avoidance->ended == 1);
+}
+
+TEST_CASE("half circles go around the circles that hold outlines, and rows end where none fits") {
+  SwathSettings classic = rows_north();
+  classic.avoidance->method = AvoidanceMethod::classic;
+  // A wall of 2 x 20 m, held by a circle of 10.05 m: those around it fit the field. One of 4 x 60
+  // m, of 30.07 m, is too near to the edge on the left of its row.
+  for (const Field& field :
+       {land({block("wall", 44, 60, 2, 20)}), land({block("hedge", 62, 45, 4, 60)})}) {
+    const auto made = cover(field, metres(6), classic);
+    REQUIRE(made);
+    const AvoidanceRecord& record = *made->sweep->avoidance;
+    CHECK(record.ended == 0);
+    CHECK(record.planned.detours + record.planned.blocked == record.planned.crowds);
+    CHECK(record.planned.crowds > 0);
+    CHECK((record.planned.blocked > 0) == (field.obstacles.front().id == "hedge"));
+    CHECK(record.classic.missed == record.planned.missed);
+    CHECK(nearest_m(made->route, field) > 1.5);
+  }
 }
